@@ -1,0 +1,76 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "hydro/Conventions.h"
+#include "hydro/geometry/SurfaceMesh.h"
+
+namespace cutwater {
+
+/// Terms the potential theory lacks, as inputs: forces −damping·η̇ − quadratic·|η̇₄|η̇₄ − stiffness·η.
+struct Supplementary {
+  Vec6 damping = Vec6::Zero();        ///< diagonal, N/(m/s) or N·m/(rad/s)
+  Vec6 stiffness = Vec6::Zero();      ///< diagonal, N/m or N·m/rad
+  double rollDampingQuadratic = 0.0;  ///< N·m/(rad/s)²
+};
+
+/// The ship as it floats at rest. Lengths in hull axes: x forward, y port, z up from calm water.
+struct ShipParticulars {
+  std::string name;
+  SurfaceMesh hull;        ///< closed hull [m], normals out; empty in a plain BEMIO file
+  SurfaceMesh wetSurface;  ///< the solver's panels before flattening; port half if symmetric
+  bool symmetric = false;
+  double mass = 0.0;                ///< [kg]
+  Vec3 cog = Vec3::Zero();          ///< centre of gravity G [m]
+  Vec3 gyradii = Vec3::Ones();      ///< roll, pitch, yaw, about G [m]
+  double volume = 0.0;              ///< displaced [m³]
+  Vec3 centreOfBuoyancy = Vec3::Zero();
+  Mat6 restoring = Mat6::Zero();    ///< C about G, gravity and density included [N/m, N, N·m]
+  double density = kSeaWaterDensity;
+  double gravity = kStandardGravity;
+  Supplementary supplementary;
+
+  /// Rigid-body mass matrix about G: diag(m, m, m, m r_xx², m r_yy², m r_zz²).
+  Mat6 massMatrix() const;
+};
+
+/// Where the numbers come from.
+struct Provenance {
+  std::string code = "Cutwater";
+  std::string version;   ///< of the program that wrote it
+  std::string meshHash;  ///< of the wet surface, 16 hex digits
+  std::string settings;  ///< the solver's settings as TOML
+};
+
+/// All that solver and time domain share: hydrodynamic coefficients of one ship, U = 0, deep water.
+/// Forces and moments about G, modes and signs as in Conventions.h. Immutable once made.
+struct Coefficients {
+  ShipParticulars ship;
+  Provenance provenance;
+
+  /// Encounter frequencies [rad/s]: finite, > 0, strictly increasing.
+  std::vector<double> omega;
+  std::vector<Mat6> addedMass;       ///< A(ω_i)
+  std::vector<Mat6> damping;         ///< B(ω_i)
+  Mat6 addedMassZero = Mat6::Zero(); ///< A(0)
+  Mat6 addedMassInf = Mat6::Zero();  ///< A(∞)
+
+  /// ∂A, ∂B: the x-derivative integrals of theory section 1; empty if not computed.
+  std::vector<Mat6> addedMassX, dampingX;
+  Mat6 addedMassXZero = Mat6::Zero(), addedMassXInf = Mat6::Zero();
+
+  /// Wave excitation per metre of wave amplitude, crest over the mean position of G at t = 0.
+  std::vector<double> headings;                   ///< β [rad]
+  std::vector<std::vector<CVec6>> froudeKrylov;   ///< [heading][frequency]
+  std::vector<std::vector<CVec6>> diffraction;    ///< [heading][frequency]
+
+  /// Adjoint vectors: F_D,j = Σ_i b_j,i v_i over all panels, v = −∂φ_I/∂n at the panel centroids; of a
+  /// symmetric hull the port panels, to be used with twice the even (j = 1, 3, 5) or odd part of v.
+  /// [frequency], each 6 × panels; empty if not computed.
+  std::vector<Eigen::Matrix<Complex, 6, Eigen::Dynamic>> adjoint;
+
+  /// ‖D‖·‖D⁻¹‖ of the even and odd systems (a hull without symmetry fills only `conditionEven`).
+  std::vector<double> conditionEven, conditionOdd;
+};
+
+}  // namespace cutwater

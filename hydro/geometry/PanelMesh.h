@@ -1,0 +1,34 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "hydro/geometry/SurfaceMesh.h"
+
+namespace cutwater {
+
+/// One flat panel of the wetted hull or of the lid.
+struct Panel {
+  std::array<Vec3, 4> corner;  ///< [m], counter-clockwise about the normal, in one plane
+  int corners = 4;             ///< 3 or 4
+  Vec3 centroid = Vec3::Zero();
+  Vec3 normal = Vec3::Zero();  ///< unit, out of the hull
+  double area = 0.0;           ///< [m²]
+};
+
+/// What the solver works on: flat panels of the hull below calm water (hull axes, z ≤ 0), and of a
+/// lid on the interior waterplane z = 0 whose normals point up (0, 0, 1).
+/// A symmetric hull stores its port half (y ≥ 0); starboard is the mirror image.
+/// panels[i] comes from face i of the wet surface it was made from, in the same order.
+struct PanelMesh {
+  std::vector<Panel> panels;
+  std::vector<Panel> lid;  ///< may be empty
+  bool symmetric = false;
+};
+
+/// Flattens each face about its centroid and mean normal; of a face with an edge on the waterline the
+/// plane contains that edge, so that its vertices stay on z = 0 ([M03] 5.1).
+/// @param wet  hull below calm water, hull axes; its port half if `symmetric`.
+/// @throws HydroError ValueOutOfRange for a face of no area, naming it.
+PanelMesh makePanels(const SurfaceMesh& wet, bool symmetric);
+
+}  // namespace cutwater

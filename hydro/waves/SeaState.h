@@ -1,0 +1,43 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "hydro/Conventions.h"
+
+namespace cutwater {
+
+/// One regular wave of small amplitude in deep water:
+///   ζ = a cos(ωt − k(x cos β − y sin β) + ε), k = ω²/g, x, y in earth axes E.
+struct WaveComponent {
+  double omega = 0.0;      ///< ω_I [rad/s] > 0
+  double amplitude = 0.0;  ///< a [m]
+  double phase = 0.0;      ///< ε [rad]
+  double heading = 0.0;    ///< β [rad]: travels towards (cos β, −sin β) in E
+};
+
+/// A sum of regular waves, grown smoothly from rest over `ramp` seconds. Immutable.
+class SeaState {
+ public:
+  /// Calm water.
+  SeaState() = default;
+  /// @param gravity [m/s²] > 0.  @param ramp [s] ≥ 0: factor ½(1 − cos πt/ramp) until then, 1 after.
+  /// @throws HydroError ValueOutOfRange naming the component and value.
+  SeaState(std::vector<WaveComponent> components, double gravity, double ramp = 0.0);
+
+  std::span<const WaveComponent> components() const noexcept { return components_; }
+  double gravity() const noexcept { return gravity_; }
+  /// Wave number of component i [1/m].
+  double waveNumber(std::size_t i) const noexcept { return waveNumber_[i]; }
+  /// Growth factor at time t [s], 0..1.
+  double ramp(double t) const noexcept;
+  /// ζ [m] at time t [s] and earth position x, y [m]. No allocation; O(components).
+  double elevation(double t, double x, double y) const noexcept;
+
+ private:
+  std::vector<WaveComponent> components_;
+  std::vector<double> waveNumber_;
+  double gravity_ = kStandardGravity;
+  double ramp_ = 0.0;
+};
+
+}  // namespace cutwater

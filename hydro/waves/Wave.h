@@ -1,0 +1,22 @@
+#pragma once
+#include "hydro/Conventions.h"
+
+namespace cutwater {
+
+/// Airy wave of unit amplitude in deep water, crest at the origin of x, y at t = 0 [M03] (64)-(66):
+///   φ_I = (i g/ω_I) e^{kz − ik(x cos β − y sin β)}
+struct AiryWave {
+  double omega;    ///< ω_I [rad/s] > 0
+  double heading;  ///< β [rad]
+  double gravity;  ///< [m/s²]
+
+  double waveNumber() const noexcept { return omega * omega / gravity; }
+  /// e^{kz − ik(x cos β − y sin β)}; x, y from the phase origin, z from calm water.
+  Complex shape(const Vec3& x) const noexcept;
+  /// φ_I [m²/s per m].
+  Complex potential(const Vec3& x) const noexcept;
+  /// ∇φ_I [m/s per m].
+  Eigen::Vector3cd velocity(const Vec3& x) const noexcept;
+};
+
+}  // namespace cutwater
