@@ -10,7 +10,8 @@
 /// Axes: x forward, y to port, z up, z = 0 at calm water. Frames, named in identifiers by a suffix:
 ///   E  fixed to the earth, z = 0 at calm water.
 ///   H  horizontal, moving with the ship's mean course: origin at the calm-water position of the
-///      centre of gravity G, x along the mean heading. Forces and motions of linear theory are here.
+///      centre of gravity G, x along the mean heading. Forces and motions of linear theory are
+///      here.
 ///   B  fixed to the hull, origin in G. Attitude R_EB = R_z(yaw) R_y(pitch) R_x(roll).
 ///   hull axes: those of the hull file turned to ours: x forward, y port, z up from calm water.
 /// Positive pitch is bow down, positive roll starboard down, positive yaw bow to port.
@@ -28,8 +29,9 @@
 ///   K(τ)     retardation                  unit of B per second
 ///
 /// From other codes. Capytaine: e^{−iωt} (conjugate forces and motions), moments about its rotation
-/// centre, β the direction towards which waves travel counter-clockwise: β_ours = −β. WAMIT: e^{+iωt},
-/// same β rule as Capytaine. Nemoh: e^{−iωt}, angles as Capytaine. Naval codes with z down: reverse y, z.
+/// centre, β the direction towards which waves travel counter-clockwise: β_ours = −β. WAMIT:
+/// e^{+iωt}, same β rule as Capytaine. Nemoh: e^{−iωt}, angles as Capytaine. Naval codes with z
+/// down: reverse y, z.
 namespace cutwater {
 
 using Vec3 = Eigen::Vector3d;

@@ -7,18 +7,18 @@ namespace cutwater {
 
 /// What was wrong, for programs; what() says it for people, in one line with the offending value.
 enum class Fault {
-  FileNotReadable,     ///< missing, or no permission
-  FileNotWritable,     ///< target folder missing, disk full, no permission
-  FileMalformed,       ///< cannot be parsed, truncated, wrong checksum
-  FormatNotSupported,  ///< a file type we do not read (or only with any_format = true)
-  VersionNotSupported, ///< written by a newer Cutwater
-  ValueOutOfRange,     ///< a number outside its stated range, or not finite
+  FileNotReadable,      ///< missing, or no permission
+  FileNotWritable,      ///< target folder missing, disk full, no permission
+  FileMalformed,        ///< cannot be parsed, truncated, wrong checksum
+  FormatNotSupported,   ///< a file type we do not read (or only with any_format = true)
+  VersionNotSupported,  ///< written by a newer Cutwater
+  ValueOutOfRange,      ///< a number outside its stated range, or not finite
   MeshEmpty,
   MeshIndexOutOfRange,
   MeshNotFinite,
   HullNotClosed,
   HullInverted,
-  HullNotInWater,      ///< wholly above or wholly below calm water
+  HullNotInWater,  ///< wholly above or wholly below calm water
   HullNotSymmetric,
   FrequenciesNotIncreasing,
   DatabaseIncomplete,  ///< a part that is needed here is not in the file
@@ -41,11 +41,11 @@ class HydroError : public std::runtime_error {
 /// What went wrong during a tick, as bits; returned by Seaway and kept until read.
 enum StepFault : std::uint32_t {
   kStepOk = 0,
-  kLoadNotFinite = 1u << 0,      ///< a load was NaN or infinite and was not applied
-  kStateNotFinite = 1u << 1,     ///< the body's position or velocity is NaN or infinite
-  kTickLengthChanged = 1u << 2,  ///< memory was restarted for the new tick length
-  kBodyNotInWorld = 1u << 3,     ///< the ship's body was removed behind our back
-  kSolverNotSupported = 1u << 4, ///< the world's solver cannot carry added mass (btMLCPSolver)
+  kLoadNotFinite = 1u << 0,       ///< a load was NaN or infinite and was not applied
+  kStateNotFinite = 1u << 1,      ///< the body's position or velocity is NaN or infinite
+  kTickLengthChanged = 1u << 2,   ///< memory was restarted for the new tick length
+  kBodyNotInWorld = 1u << 3,      ///< the ship's body was removed behind our back
+  kSolverNotSupported = 1u << 4,  ///< the world's solver cannot carry added mass (btMLCPSolver)
 };
 
 }  // namespace cutwater

@@ -20,7 +20,8 @@ class SeaState {
  public:
   /// Calm water.
   SeaState() = default;
-  /// @param gravity [m/s²] > 0.  @param ramp [s] ≥ 0: factor ½(1 − cos πt/ramp) until then, 1 after.
+  /// @param gravity [m/s²] > 0.  @param ramp [s] ≥ 0: factor ½(1 − cos πt/ramp) until then, 1
+  /// after.
   /// @throws HydroError ValueOutOfRange naming the component and value.
   SeaState(std::vector<WaveComponent> components, double gravity, double ramp = 0.0);
 

@@ -1,0 +1,48 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "hydro/waves/SeaState.h"
+
+namespace cutwater {
+
+/// Wave energy spectra S(ω) [m²s] with ∫₀^∞ S dω = hs²/16.
+///   Bretschneider       S = (5/16) hs² ω_p⁴ ω⁻⁵ e^{−(5/4)(ω_p/ω)⁴}           [ITTC 1978]
+///   PiersonMoskowitz    the same form; ω_p of a fully developed sea is ω_p = 0.4 √(g/hs) unless tp
+///   is given. Jonswap             Bretschneider × γ^{exp(−(ω/ω_p − 1)²/2σ²)}, σ = 0.07 below ω_p,
+///   0.09 above,
+///                       normalised to hs numerically                     [Hasselmann et al. 1973]
+enum class SpectrumShape { Jonswap, Bretschneider, PiersonMoskowitz };
+
+struct Spectrum {
+  SpectrumShape shape = SpectrumShape::Jonswap;
+  double hs = 3.0;     ///< significant wave height [m] ≥ 0
+  double tp = 9.0;     ///< peak period [s] > 0; 0 with PiersonMoskowitz: from hs
+  double gamma = 3.3;  ///< peak enhancement of Jonswap, 1..20
+  double gravity = kStandardGravity;
+
+  /// ω_p [rad/s].
+  double peakFrequency() const;
+  /// S(ω) [m²s]; 0 for ω ≤ 0.
+  double operator()(double omega) const;
+};
+
+/// How a spectrum becomes a sum of regular waves. The same numbers give the same sea on every
+/// machine.
+struct SeaStateSettings {
+  double heading = 0.0;    ///< mean β [rad]
+  double spreading = 0.0;  ///< s of D(θ) ∝ cos^{2s}(θ/2); 0 = long-crested
+  int components = 200;    ///< ≥ 1
+  std::uint64_t seed = 1;
+  double omegaMin = 0.0;  ///< [rad/s]; 0: 0.5 ω_p
+  double omegaMax = 0.0;  ///< [rad/s]; 0: 4 ω_p
+  double ramp = 0.0;      ///< [s]
+};
+
+/// Bins of equal width in ω, one component at a random place in each, so that the sea does not
+/// repeat; its amplitude carries the whole energy of the bin: Σ a²/2 = ∫ S dω between the two
+/// limits.
+/// @throws HydroError ValueOutOfRange naming the field and its value.
+SeaState makeSeaState(const Spectrum& spectrum, const SeaStateSettings& settings);
+
+}  // namespace cutwater

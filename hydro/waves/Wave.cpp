@@ -1,0 +1,24 @@
+#include "hydro/waves/Wave.h"
+
+#include <cmath>
+
+namespace cutwater {
+
+Complex AiryWave::shape(const Vec3& x) const noexcept {
+  const double k = waveNumber();
+  const double phase = -k * (x.x() * std::cos(heading) - x.y() * std::sin(heading));
+  return std::polar(std::exp(k * x.z()), phase);
+}
+
+Complex AiryWave::potential(const Vec3& x) const noexcept {
+  return Complex(0.0, gravity / omega) * shape(x);
+}
+
+Eigen::Vector3cd AiryWave::velocity(const Vec3& x) const noexcept {
+  const double k = waveNumber();
+  const Eigen::Vector3cd direction(Complex(0.0, -std::cos(heading)),
+                                   Complex(0.0, std::sin(heading)), 1.0);
+  return k * potential(x) * direction;
+}
+
+}  // namespace cutwater

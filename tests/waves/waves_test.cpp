@@ -1,0 +1,141 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hydro/Errors.h"
+#include "hydro/waves/SeaState.h"
+#include "hydro/waves/Spectrum.h"
+#include "hydro/waves/Wave.h"
+
+namespace cutwater {
+namespace {
+
+constexpr double kG = 9.81;
+
+TEST(AiryWaveIdentity, VelocityIsTheGradientOfThePotential) {
+  const AiryWave wave{0.9, 0.7, kG};
+  const Vec3 x(3.0, -2.0, -4.0);
+  const double h = 1e-4;  // central differences: error k³h²/6 ≈ 1e-12, round-off 1e-16·φ/h ≈ 1e-11
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3 step = Vec3::Zero();
+    step[axis] = h;
+    const Complex slope = (wave.potential(x + step) - wave.potential(x - step)) / (2.0 * h);
+    EXPECT_LT(std::abs(slope - wave.velocity(x)[axis]), 1e-9);
+  }
+}
+
+TEST(AiryWaveIdentity, SatisfiesTheFreeSurfaceCondition) {
+  const AiryWave wave{1.3, 2.1, kG};
+  const Vec3 x(5.0, 1.0, 0.0);
+  // −ω²φ + gφ_z = 0 to round-off.
+  EXPECT_LT(std::abs(-1.69 * wave.potential(x) + kG * wave.velocity(x).z()), 1e-12);
+}
+
+TEST(AiryWaveIdentity, ElevationIsThePressureOfThePotential) {
+  // ζ = −(1/g) ∂φ/∂t = −(iω/g) φ: the crest is at the origin at t = 0.
+  const AiryWave wave{0.8, 0.3, kG};
+  const Complex zeta = -Complex(0, 0.8) / kG * wave.potential(Vec3::Zero());
+  EXPECT_NEAR(zeta.real(), 1.0, 1e-14);
+  EXPECT_NEAR(zeta.imag(), 0.0, 1e-14);
+}
+
+TEST(SeaStateClosedForm, CrestRunsTowardsItsHeadingAtPhaseSpeed) {
+  const double omega = 0.7, beta = 150.0 * kPi / 180.0, t = 11.0;
+  const SeaState sea({{omega, 2.0, 0.0, beta}}, kG);
+  const double travelled = kG / omega * t;
+  EXPECT_NEAR(sea.elevation(t, travelled * std::cos(beta), -travelled * std::sin(beta)), 2.0,
+              1e-12);
+}
+
+TEST(SeaStateClosedForm, HeadSeaComesFromTheBowAndNinetyDegreesFromPort) {
+  // β = 180°: travels to −x; β = 90°: towards −y, that is from port (+y).
+  const SeaState head({{1.0, 1.0, 0.0, kPi}}, kG), beam({{1.0, 1.0, 0.0, kPi / 2}}, kG);
+  const double step = 0.1, run = kG * step;
+  EXPECT_NEAR(head.elevation(step, -run, 0.0), 1.0, 1e-12);
+  EXPECT_NEAR(beam.elevation(step, 0.0, -run), 1.0, 1e-12);
+}
+
+TEST(SeaState, GrowsFromRestOverTheRamp) {
+  const SeaState sea({{1.0, 1.0, 0.0, 0.0}}, kG, 10.0);
+  EXPECT_EQ(sea.ramp(0.0), 0.0);
+  EXPECT_NEAR(sea.ramp(5.0), 0.5, 1e-15);
+  EXPECT_EQ(sea.ramp(10.0), 1.0);
+}
+
+TEST(SeaState, RefusesNonsenseNamingComponentAndValue) {
+  try {
+    SeaState({{1.0, 1.0, 0.0, 0.0}, {-2.0, 1.0, 0.0, 0.0}}, kG);
+    FAIL();
+  } catch (const HydroError& error) {
+    EXPECT_EQ(error.fault(), Fault::ValueOutOfRange);
+    EXPECT_NE(std::string(error.what()).find("component 1: omega = -2"), std::string::npos);
+  }
+}
+
+double zerothMoment(const Spectrum& spectrum) {
+  double sum = 0.0;
+  const double step = 1e-3;  // trapezoid on a smooth density that vanishes at both ends
+  for (int i = 1; i < 40000; ++i) sum += step * spectrum(step * i);
+  return sum;
+}
+
+TEST(SpectrumIdentity, EnergyGivesTheSignificantHeight) {
+  for (const auto shape : {SpectrumShape::Jonswap, SpectrumShape::Bretschneider}) {
+    const Spectrum spectrum{shape, 4.0, 10.0, 3.3, kG};
+    // 1e-5: the energy above 40 rad/s is (5/4)(ω_p/ω)⁴/5 < 1e-7, the rest is the trapezoid's.
+    EXPECT_NEAR(4.0 * std::sqrt(zerothMoment(spectrum)), 4.0, 1e-5 * 4.0);
+  }
+}
+
+TEST(SpectrumClosedForm, JonswapPeakIsGammaTimesBretschneider) {
+  // Same shape at ω_p but for the common normalisation, which is the ratio far from the peak.
+  const Spectrum jonswap{SpectrumShape::Jonswap, 3.0, 9.0, 3.3, kG};
+  const Spectrum plain{SpectrumShape::Bretschneider, 3.0, 9.0, 1.0, kG};
+  const double peak = plain.peakFrequency(), far = 3.0 * peak;
+  EXPECT_NEAR(jonswap(peak) / plain(peak) / (jonswap(far) / plain(far)), 3.3, 1e-12);
+}
+
+TEST(SpectrumClosedForm, FullyDevelopedSeaHasItsPeakAtFourTenthsRootGOverHs) {
+  const Spectrum sea{SpectrumShape::PiersonMoskowitz, 4.0, 0.0, 1.0, kG};
+  EXPECT_NEAR(sea.peakFrequency(), 0.4 * std::sqrt(kG / 4.0), 1e-15);
+}
+
+TEST(SpectrumIdentity, ComponentsCarryTheEnergyOfTheirRange) {
+  const Spectrum spectrum{SpectrumShape::Jonswap, 3.0, 9.0, 3.3, kG};
+  SeaStateSettings settings;
+  settings.omegaMin = 0.05;
+  settings.omegaMax = 8.0;
+  double energy = 0.0;
+  for (const auto& c : makeSeaState(spectrum, settings).components())
+    energy += 0.5 * c.amplitude * c.amplitude;
+  // Energy beyond 8 rad/s is (ω_p/8)⁴ ≈ 6e-5 of the whole, so hs loses 3e-5.
+  EXPECT_NEAR(4.0 * std::sqrt(energy), 3.0, 5e-5 * 3.0);
+}
+
+TEST(SpectrumClosedForm, SpreadingFollowsCosineToTheTwoS) {
+  // For D ∝ cos^{2s}(θ/2), E[cos θ] = s/(s+1).
+  SeaStateSettings settings;
+  settings.spreading = 4.0;
+  settings.components = 20000;
+  const SeaState sea = makeSeaState(Spectrum{}, settings);
+  double mean = 0.0;
+  for (const auto& c : sea.components()) mean += std::cos(c.heading) / settings.components;
+  EXPECT_NEAR(mean, 0.8, 0.006);  // three standard errors: σ(cos θ) ≈ 0.24, /√20000, × 3
+}
+
+TEST(SpectrumRegression, TheSameSeedIsTheSameSea) {
+  const SeaState a = makeSeaState(Spectrum{}, {}), b = makeSeaState(Spectrum{}, {});
+  EXPECT_EQ(a.elevation(12.3, 4.0, 5.0), b.elevation(12.3, 4.0, 5.0));
+}
+
+TEST(Spectrum, RefusesNonsenseNamingTheField) {
+  Spectrum spectrum;
+  spectrum.tp = -1.0;
+  EXPECT_THROW(makeSeaState(spectrum, {}), HydroError);
+  SeaStateSettings settings;
+  settings.components = 0;
+  EXPECT_THROW(makeSeaState(Spectrum{}, settings), HydroError);
+}
+
+}  // namespace
+}  // namespace cutwater
