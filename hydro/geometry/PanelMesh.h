@@ -25,8 +25,8 @@ struct PanelMesh {
   bool symmetric = false;
 };
 
-/// Flattens each face about its centroid and mean normal; of a face with an edge on the waterline the
-/// plane contains that edge, so that its vertices stay on z = 0 ([M03] 5.1).
+/// Flattens each face about its centroid and mean normal; of a face with an edge on the waterline
+/// the plane contains that edge, so that its vertices stay on z = 0 ([M03] 5.1).
 /// @param wet  hull below calm water, hull axes; its port half if `symmetric`.
 /// @throws HydroError ValueOutOfRange for a face of no area, naming it.
 PanelMesh makePanels(const SurfaceMesh& wet, bool symmetric);
