@@ -20,12 +20,12 @@ struct ShipParticulars {
   SurfaceMesh hull;        ///< closed hull [m], normals out; empty in a plain BEMIO file
   SurfaceMesh wetSurface;  ///< the solver's panels before flattening; port half if symmetric
   bool symmetric = false;
-  double mass = 0.0;                ///< [kg]
-  Vec3 cog = Vec3::Zero();          ///< centre of gravity G [m]
-  Vec3 gyradii = Vec3::Ones();      ///< roll, pitch, yaw, about G [m]
-  double volume = 0.0;              ///< displaced [m³]
+  double mass = 0.0;            ///< [kg]
+  Vec3 cog = Vec3::Zero();      ///< centre of gravity G [m]
+  Vec3 gyradii = Vec3::Ones();  ///< roll, pitch, yaw, about G [m]
+  double volume = 0.0;          ///< displaced [m³]
   Vec3 centreOfBuoyancy = Vec3::Zero();
-  Mat6 restoring = Mat6::Zero();    ///< C about G, gravity and density included [N/m, N, N·m]
+  Mat6 restoring = Mat6::Zero();  ///< C about G, gravity and density included [N/m, N, N·m]
   double density = kSeaWaterDensity;
   double gravity = kStandardGravity;
   Supplementary supplementary;
@@ -50,23 +50,27 @@ struct Coefficients {
 
   /// Encounter frequencies [rad/s]: finite, > 0, strictly increasing.
   std::vector<double> omega;
-  std::vector<Mat6> addedMass;       ///< A(ω_i)
-  std::vector<Mat6> damping;         ///< B(ω_i)
-  Mat6 addedMassZero = Mat6::Zero(); ///< A(0)
-  Mat6 addedMassInf = Mat6::Zero();  ///< A(∞)
+  std::vector<Mat6> addedMass;        ///< A(ω_i)
+  std::vector<Mat6> damping;          ///< B(ω_i)
+  Mat6 addedMassZero = Mat6::Zero();  ///< A(0)
+  Mat6 addedMassInf = Mat6::Zero();   ///< A(∞)
+
+  /// Wave frequencies [rad/s] at which tables of excitation and RAOs are written unless others are asked
+  /// for; increasing, within the range of `omega`. Empty: `omega` itself.
+  std::vector<double> waveOmega;
 
   /// ∂A, ∂B: the x-derivative integrals of theory section 1; empty if not computed.
   std::vector<Mat6> addedMassX, dampingX;
   Mat6 addedMassXZero = Mat6::Zero(), addedMassXInf = Mat6::Zero();
 
   /// Wave excitation per metre of wave amplitude, crest over the mean position of G at t = 0.
-  std::vector<double> headings;                   ///< β [rad]
-  std::vector<std::vector<CVec6>> froudeKrylov;   ///< [heading][frequency]
-  std::vector<std::vector<CVec6>> diffraction;    ///< [heading][frequency]
+  std::vector<double> headings;                  ///< β [rad]
+  std::vector<std::vector<CVec6>> froudeKrylov;  ///< [heading][frequency]
+  std::vector<std::vector<CVec6>> diffraction;   ///< [heading][frequency]
 
-  /// Adjoint vectors: F_D,j = Σ_i b_j,i v_i over all panels, v = −∂φ_I/∂n at the panel centroids; of a
-  /// symmetric hull the port panels, to be used with twice the even (j = 1, 3, 5) or odd part of v.
-  /// [frequency], each 6 × panels; empty if not computed.
+  /// Adjoint vectors: F_D,j = Σ_i b_j,i v_i over all panels, v = −∂φ_I/∂n at the panel centroids;
+  /// of a symmetric hull the port panels, to be used with twice the even (j = 1, 3, 5) or odd part
+  /// of v. [frequency], each 6 × panels; empty if not computed.
   std::vector<Eigen::Matrix<Complex, 6, Eigen::Dynamic>> adjoint;
 
   /// ‖D‖·‖D⁻¹‖ of the even and odd systems (a hull without symmetry fills only `conditionEven`).

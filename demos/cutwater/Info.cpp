@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+
+#include "demos/cutwater/Commands.h"
+#include "demos/cutwater/Csv.h"
+#include "hydro/database/CoefficientsFile.h"
+
+namespace cutwater::command {
+
+namespace {
+
+void list(Csv& csv, const std::string& name, const std::string& value, const std::string& unit) {
+  const bool quoted = value.find_first_of(",\"\n") != std::string::npos;
+  std::string cell = value;
+  for (std::size_t i = 0; quoted && (i = cell.find_first_of("\"\n", i)) != std::string::npos;
+       i += 2) {
+    cell.replace(i, 1, cell[i] == '"' ? "\"\"" : "; ");
+  }
+  csv.line(name + "," + (quoted ? "\"" + cell + "\"" : cell) + "," + unit);
+}
+
+void listShip(Csv& csv, const ShipParticulars& ship) {
+  list(csv, "ship", ship.name, "");
+  const auto number = [&](const std::string& name, double value, const std::string& unit) {
+    list(csv, name, csvNumber(value), unit);
+  };
+  number("mass", ship.mass, "kg");
+  const char* axes[3] = {"x", "y", "z"};
+  for (int i = 0; i < 3; ++i) number(std::string("cog_") + axes[i], ship.cog[i], "m");
+  const char* about[3] = {"roll", "pitch", "yaw"};
+  for (int i = 0; i < 3; ++i) number(std::string("gyradius_") + about[i], ship.gyradii[i], "m");
+  number("volume", ship.volume, "m^3");
+  number("density", ship.density, "kg/m^3");
+  number("gravity", ship.gravity, "m/s^2");
+  number("symmetric", ship.symmetric ? 1 : 0, "");
+  number("wet_panels_stored", static_cast<double>(ship.wetSurface.faces.size()), "");
+  number("hull_faces", static_cast<double>(ship.hull.faces.size()), "");
+  for (int i = 0; i < 6; ++i) {
+    const std::string mode = kModeNames[i];
+    if (ship.supplementary.damping[i] != 0.0) {
+      number(mode + "_damping", ship.supplementary.damping[i], i < 3 ? "N/(m/s)" : "N m/(rad/s)");
+    }
+    if (ship.supplementary.stiffness[i] != 0.0) {
+      number(mode + "_stiffness", ship.supplementary.stiffness[i], i < 3 ? "N/m" : "N m/rad");
+    }
+  }
+  number("roll_damping_quadratic", ship.supplementary.rollDampingQuadratic, "N m/(rad/s)^2");
+}
+
+// Largest |X − Xᵀ| of a table, as % of its largest entry of each pair's geometric mean.
+double asymmetry(const std::vector<Mat6>& table) {
+  Mat6 scale = Mat6::Zero();
+  for (const Mat6& m : table) {
+    for (int j = 0; j < 6; ++j) {
+      for (int k = 0; k < 6; ++k)
+        scale(j, k) = std::max(scale(j, k), std::sqrt(std::abs(m(j, j) * m(k, k))));
+    }
+  }
+  double worst = 0.0;
+  for (const Mat6& m : table) {
+    for (int j = 0; j < 6; ++j) {
+      for (int k = 0; k < j; ++k) {
+        if (scale(j, k) > 0.0) worst = std::max(worst, std::abs(m(j, k) - m(k, j)) / scale(j, k));
+      }
+    }
+  }
+  return 100.0 * worst;
+}
+
+}  // namespace
+
+void info(const std::string& database, const std::string& out) {
+  std::string warning;
+  const Coefficients c = readCoefficients(database, &warning);
+  warn(warning);
+  Csv csv("name,value,unit");
+  listShip(csv, c.ship);
+  const auto number = [&](const std::string& name, double value, const std::string& unit) {
+    list(csv, name, csvNumber(value), unit);
+  };
+  number("frequencies", static_cast<double>(c.omega.size()), "");
+  number("omega_first", c.omega.front(), "rad/s");
+  number("omega_last", c.omega.back(), "rad/s");
+  number("headings", static_cast<double>(c.headings.size()), "");
+  for (std::size_t i = 0; i < c.headings.size(); ++i) {
+    number(fmt::format("heading_{}", i + 1), c.headings[i] * 180.0 / kPi, "deg");
+  }
+  number("adjoint_vectors", c.adjoint.empty() ? 0 : 1, "");
+  number("x_derivatives", c.addedMassX.empty() ? 0 : 1, "");
+  number("masked_frequencies", 0, "");
+  number("check_added_mass_asymmetry", asymmetry(c.addedMass), "%");
+  number("check_damping_asymmetry", asymmetry(c.damping), "%");
+  double smallest = 0.0;
+  for (const Mat6& b : c.damping) smallest = std::min(smallest, b.diagonal().minCoeff());
+  number("check_damping_smallest_diagonal", smallest, "");
+  for (const auto& [name, table] : {std::pair{"condition_even_max", &c.conditionEven},
+                                    std::pair{"condition_odd_max", &c.conditionOdd}}) {
+    if (!table->empty()) number(name, *std::max_element(table->begin(), table->end()), "");
+  }
+  list(csv, "code", c.provenance.code, "");
+  list(csv, "version", c.provenance.version, "");
+  list(csv, "mesh_hash", c.provenance.meshHash, "");
+  list(csv, "settings", c.provenance.settings, "");
+  csv.write(out);
+}
+
+}  // namespace cutwater::command

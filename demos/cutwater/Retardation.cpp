@@ -1,0 +1,38 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "demos/cutwater/Commands.h"
+#include "demos/cutwater/Csv.h"
+#include "hydro/Errors.h"
+#include "hydro/database/CoefficientsFile.h"
+#include "hydro/memory/RetardationFunction.h"
+
+namespace cutwater::command {
+
+void retardation(const std::string& database, double step, double duration,
+                 const std::string& out) {
+  if (!(step > 0.0) || !(duration >= step) || duration / step > 1e6) {
+    throw HydroError(
+        Fault::BadArgument,
+        fmt::format("--dt {} --duration {}: needs 0 < dt <= duration, at most 1e6 rows", step,
+                    duration));
+  }
+  std::string warning;
+  const Coefficients coefficients = readCoefficients(database, &warning);
+  warn(warning);
+  const RetardationMatrix retardation(coefficients);
+  // The speed-dependent parts (35)-(40) belong to forward speed, which this version does not have.
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  Csv csv("tau,j,k,K0,KU,KUU");
+  for (int i = 0; i <= static_cast<int>(std::round(duration / step)); ++i) {
+    const Mat6 k0 = retardation.at(i * step);
+    for (int j = 0; j < 6; ++j) {
+      for (int k = 0; k < 6; ++k) csv.row({i * step, j + 1.0, k + 1.0, k0(j, k), kNan, kNan});
+    }
+  }
+  csv.write(out);
+}
+
+}  // namespace cutwater::command

@@ -1,0 +1,50 @@
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "hydro/database/Coefficients.h"
+#include "hydro/waves/SeaState.h"
+#include "hydro/waves/Spectrum.h"
+
+namespace cutwater::command {
+
+/// A RUN.toml: what one simulation is made of. Units SI, angles in radians here.
+struct RunFile {
+  std::string path;
+  std::string ship;      ///< SHIP.toml, resolved; empty if the database alone is used
+  std::string database;  ///< resolved
+
+  double tick = 0.02;       ///< Bullet's fixed tick [s]
+  int substeps = 1;         ///< ticks per stepSimulation
+  double duration = 400.0;  ///< [s]
+  bool doublePrecision = true;
+
+  enum class Waves { None, Regular, Spectrum, Components };
+  Waves waves = Waves::None;
+  std::vector<double> omega;  ///< regular waves; more than one only for `sweep`
+  double amplitude = 1.0;     ///< [m]
+  double phase = 0.0;         ///< [rad]
+  Spectrum spectrum;
+  SeaStateSettings sea;
+  std::vector<WaveComponent> components;
+
+  double heading =
+      kPi;  ///< β of regular waves and mean β of spectra, relative to the initial course
+  std::array<bool, 6> restrained{};
+  Vec6 startOffset = Vec6::Zero();    ///< x, y, z [m], roll, pitch, yaw [rad] from the mean course
+  Vec6 startVelocity = Vec6::Zero();  ///< u, v, w [m/s], p, q, r [rad/s]
+
+  /// The sea of this run; of regular waves the one at `omega[index]`.
+  SeaState seaState(double gravity, std::size_t index = 0) const;
+};
+
+/// @throws HydroError naming file, field and value.
+RunFile readRunFile(const std::string& path);
+
+/// The run's database; if the run names a ship file, its supplementary terms replace the database's
+/// and its mass, centre of gravity and gyradii must be the database's own.
+/// @throws HydroError.
+Coefficients readShipOfRun(const RunFile& run);
+
+}  // namespace cutwater::command

@@ -1,0 +1,138 @@
+// cutwater: the command. Reads arguments; each subcommand is a function of its own (Commands.h).
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "demos/cutwater/Commands.h"
+#include "hydro/Errors.h"
+
+namespace {
+
+using namespace cutwater;
+
+struct Arguments {
+  std::string input, out, omega;
+  double speed = 0.0, heading = 180.0, step = 0.05, duration = 30.0;
+  int threads = 0;
+  bool forces = false;
+};
+
+CLI::App* command(CLI::App& app, const std::string& name, const std::string& what,
+                  const std::string& example) {
+  CLI::App* sub = app.add_subcommand(name, what);
+  sub->footer("Example:\n  cutwater " + example);
+  return sub;
+}
+
+void output(CLI::App* sub, Arguments& a) {
+  sub->add_option("-o,--output", a.out, "CSV file to write; stdout if absent");
+}
+
+void threads(CLI::App* sub, Arguments& a) {
+  sub->add_option("--threads", a.threads, "threads; 0 (default): one per core")
+      ->check(CLI::Range(0, 1024));
+}
+
+void wave(CLI::App* sub, Arguments& a) {
+  sub->add_option("--speed", a.speed, "forward speed U [m/s]; this version: 0");
+  sub->add_option("--heading", a.heading, "beta [deg]: 180 head seas, 0 following, 90 from port")
+      ->required();
+  sub->add_option("--omega", a.omega, "wave frequencies A:B:N [rad/s]: N values with both ends");
+}
+
+void addGeometryAndSolver(CLI::App& app, Arguments& a) {
+  CLI::App* sub = command(app, "hydrostatics", "Volume, areas, centres, stiffness of a hull at rest",
+                          "hydrostatics meshes/frigate/ship.toml");
+  sub->add_option("ship", a.input, "SHIP.toml")->required();
+  output(sub, a);
+  sub->callback([&a] { command::hydrostatics(a.input, a.out); });
+
+  sub = command(app, "solve",
+                "Hydrodynamic coefficients of a hull by panel method: added mass, damping, wave\n"
+                "excitation over frequency, into a database that alone makes a ship in Bullet",
+                "solve meshes/frigate/ship.toml -o frigate.h5");
+  sub->add_option("ship", a.input, "SHIP.toml")->required();
+  sub->add_option("-o,--output", a.out, "database to write (HDF5, BEMIO layout)")->required();
+  threads(sub, a);
+  sub->callback([&a] { command::solve(a.input, a.out, a.threads); });
+}
+
+void addTables(CLI::App& app, Arguments& a) {
+  CLI::App* sub = command(app, "info", "What is in a database: ship, grid, settings, checks",
+                          "info frigate.h5");
+  sub->add_option("database", a.input, "DB.h5")->required();
+  output(sub, a);
+  sub->callback([&a] { command::info(a.input, a.out); });
+
+  sub = command(app, "coefficients", "Added mass and damping over frequency, 0 and infinity included",
+                "coefficients frigate.h5 -o coefficients.csv");
+  sub->add_option("database", a.input, "DB.h5")->required();
+  sub->add_option("--speed", a.speed, "forward speed U [m/s]; this version: 0");
+  output(sub, a);
+  sub->callback([&a] { command::coefficients(a.input, a.speed, a.out); });
+
+  sub = command(app, "excitation", "Froude-Krylov and diffraction forces per metre of wave",
+                "excitation frigate.h5 --heading 150 --omega 0.2:2:37");
+  sub->add_option("database", a.input, "DB.h5")->required();
+  wave(sub, a);
+  output(sub, a);
+  sub->callback([&a] { command::excitation(a.input, a.speed, a.heading, a.omega, a.out); });
+
+  sub = command(app, "rao", "Motions in regular waves by the frequency domain",
+                "rao frigate.h5 --heading 180 --omega 0.2:2:37");
+  sub->add_option("database", a.input, "DB.h5")->required();
+  wave(sub, a);
+  output(sub, a);
+  sub->callback([&a] { command::rao(a.input, a.speed, a.heading, a.omega, a.out); });
+
+  sub = command(app, "retardation", "Memory functions K(tau) of the radiated waves",
+                "retardation frigate.h5 --dt 0.05 --duration 30");
+  sub->add_option("database", a.input, "DB.h5")->required();
+  sub->add_option("--dt", a.step, "step in tau [s]")->required();
+  sub->add_option("--duration", a.duration, "last tau [s]")->required();
+  output(sub, a);
+  sub->callback([&a] { command::retardation(a.input, a.step, a.duration, a.out); });
+}
+
+void addRuns(CLI::App& app, Arguments& a) {
+  CLI::App* sub = command(app, "simulate", "One ship in Bullet, headless, motions as CSV",
+                          "simulate run.toml --forces -o run.csv");
+  sub->add_option("run", a.input, "RUN.toml")->required();
+  sub->add_flag("--forces", a.forces, "add the parts of the load as columns");
+  output(sub, a);
+  sub->callback([&a] { command::simulate(a.input, a.forces, a.out); });
+
+  sub = command(app, "sweep",
+                "Regular waves one by one in Bullet, amplitude and phase of the motions fitted,\n"
+                "beside the frequency domain",
+                "sweep sweep.toml -o sweep.csv");
+  sub->add_option("run", a.input, "RUN.toml with several wave frequencies")->required();
+  threads(sub, a);
+  output(sub, a);
+  sub->callback([&a] { command::sweep(a.input, a.threads, a.out); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Ships with seakeeping hydrodynamics for the Bullet physics engine.\n"
+      "Axes: x forward, y port, z up. Heading beta: 180 head seas, 0 following, 90 from port.\n"
+      "SI units; angles in degrees where the name ends in _deg. CSV to stdout or -o FILE.",
+      "cutwater"};
+  app.set_version_flag("--version", CUTWATER_VERSION);
+  app.require_subcommand(1);
+  app.footer("`cutwater COMMAND --help` explains one command. Exit: 0 done, 1 failed, 2 usage.");
+  Arguments arguments;
+  addGeometryAndSolver(app, arguments);
+  addTables(app, arguments);
+  addRuns(app, arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "cutwater: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
