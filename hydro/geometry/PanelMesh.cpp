@@ -36,20 +36,26 @@ PlaneChoice choosePlane(const std::array<Vec3, 4>& p, int n) {
   return plane;
 }
 
-/// Area and centroid of a flat polygon, from the triangles about its first corner; exact also if
-/// one corner is re-entrant.
-void measure(Panel& panel) {
-  double area = 0.0;
-  Vec3 moment = Vec3::Zero();
+/// Normal, area and centroid of a flat polygon from its vector area; the centroid from the
+/// triangles about its first corner, exact also if one corner is re-entrant.
+void finish(Panel& panel, const Vec3& normalArea, const std::string& name) {
   const Vec3& a = panel.corner[0];
+  double size2 = 0.0;
+  for (const Vec3& p : panel.corner) size2 = std::max(size2, (p - a).squaredNorm());
+  // 1e-10 of the square of its size: far below any panel that a solver can use, far above
+  // round-off.
+  if (!(normalArea.norm() > 1e-10 * size2))
+    throw HydroError(Fault::ValueOutOfRange,
+                     name + " has area " + std::to_string(normalArea.norm()) + " m²");
+  panel.normal = normalArea.normalized();
+  Vec3 moment = Vec3::Zero();
   for (std::size_t i = 1; i + 1 < static_cast<std::size_t>(panel.corners); ++i) {
-    const Vec3 &b = panel.corner[i], &c = panel.corner[i + 1];
-    const double part = 0.5 * (b - a).cross(c - a).dot(panel.normal);
-    area += part;
-    moment += part * ((b - a) + (c - a)) / 3.0;
+    const Vec3 b = panel.corner[i] - a, c = panel.corner[i + 1] - a;
+    const double part = 0.5 * b.cross(c).dot(panel.normal);
+    panel.area += part;
+    moment += part * (b + c) / 3.0;
   }
-  panel.area = area;
-  panel.centroid = a + moment / area;
+  panel.centroid = a + moment / panel.area;
 }
 
 Panel flatten(const SurfaceMesh& mesh, const Face& face, std::size_t index) {
@@ -74,19 +80,25 @@ Panel flatten(const SurfaceMesh& mesh, const Face& face, std::size_t index) {
     }
     for (Vec3& p : panel.corner) p.z() -= above;
   }
-  // 1e-10 of the square of its size: far below any panel that a solver can use, far above
-  // round-off.
-  if (!(normalArea.norm() > 1e-10 * extent2))
-    throw HydroError(Fault::ValueOutOfRange, "makePanels: face " + std::to_string(index) +
-                                                 " has area " + std::to_string(normalArea.norm()) +
-                                                 " m²");
-  panel.normal = normalArea.normalized();
   if (panel.corners == 3) panel.corner[3] = panel.corner[2];
-  measure(panel);
+  finish(panel, normalArea, "makePanels: face " + std::to_string(index));
   return panel;
 }
 
 }  // namespace
+
+Panel flatPanel(const std::vector<Vec3>& corners) {
+  if (corners.size() != 3 && corners.size() != 4)
+    throw HydroError(Fault::BadArgument,
+                     "flatPanel: " + std::to_string(corners.size()) + " corners, not 3 or 4");
+  SurfaceMesh one{corners, {{{0, 1, 2, corners.size() == 4 ? 3 : -1}}}};
+  Panel panel;
+  panel.corners = one.faces[0].size();
+  std::copy(corners.begin(), corners.end(), panel.corner.begin());
+  if (panel.corners == 3) panel.corner[3] = panel.corner[2];
+  finish(panel, vectorArea(one, one.faces[0]), "flatPanel");
+  return panel;
+}
 
 PanelMesh makePanels(const SurfaceMesh& wet, bool symmetric) {
   PanelMesh mesh;

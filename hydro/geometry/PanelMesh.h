@@ -31,4 +31,8 @@ struct PanelMesh {
 /// @throws HydroError ValueOutOfRange for a face of no area, naming it.
 PanelMesh makePanels(const SurfaceMesh& wet, bool symmetric);
 
+/// The panel with these 3 or 4 corners, which lie in one plane.
+/// @throws HydroError ValueOutOfRange if it has no area, BadArgument for another number of corners.
+Panel flatPanel(const std::vector<Vec3>& corners);
+
 }  // namespace cutwater
