@@ -9,13 +9,14 @@ namespace cutwater {
 /// ∂F/∂Y = −F − 2/√(X²+Y²). The imaginary part is elementary.
 struct WaveTerm {
   double F = 0.0;
-  double FX = 0.0;    ///< ∂F/∂X
-  double FY = 0.0;    ///< ∂F/∂Y
-  double J0 = 0.0;    ///< e^{−Y} J₀(X)
-  double J1 = 0.0;    ///< e^{−Y} J₁(X)
+  double FX = 0.0;  ///< ∂F/∂X
+  double FY = 0.0;  ///< ∂F/∂Y
+  double J0 = 0.0;  ///< e^{−Y} J₀(X)
+  double J1 = 0.0;  ///< e^{−Y} J₁(X)
 };
 
-/// @pre X ≥ 0, Y ≥ 0, X + Y > 0. Absolute error of every member below 1e-6 (stated better in the .cpp).
+/// @pre X ≥ 0, Y ≥ 0, X + Y > 0. Absolute error of every member below 1e-6 (stated better in the
+/// .cpp).
 WaveTerm waveTerm(double X, double Y);
 
 }  // namespace cutwater
