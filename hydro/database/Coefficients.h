@@ -55,8 +55,8 @@ struct Coefficients {
   Mat6 addedMassZero = Mat6::Zero();  ///< A(0)
   Mat6 addedMassInf = Mat6::Zero();   ///< A(∞)
 
-  /// Wave frequencies [rad/s] at which tables of excitation and RAOs are written unless others are asked
-  /// for; increasing, within the range of `omega`. Empty: `omega` itself.
+  /// Wave frequencies [rad/s] at which tables of excitation and RAOs are written unless others are
+  /// asked for; increasing, within the range of `omega`. Empty: `omega` itself.
   std::vector<double> waveOmega;
 
   /// ∂A, ∂B: the x-derivative integrals of theory section 1; empty if not computed.
