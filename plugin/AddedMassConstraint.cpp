@@ -1,0 +1,157 @@
+#include "plugin/AddedMassConstraint.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "hydro/Errors.h"
+
+CUTWATER_PLUGIN_BEGIN
+
+namespace {
+
+// Below this share of the body's own mass a direction has no added mass that matters; the split of
+// its row (κ ~ 1/√(2l)) would also begin to lose digits in single precision.
+constexpr double kSmallestRatio = 1e-6;
+
+// √M of each direction in body axes: Bullet's principal inertias are diagonal there.
+Vec6 rootOfMass(const btRigidBody& body) {
+  if (!(body.getInvMass() > 0)) {
+    throw HydroError(Fault::ValueOutOfRange, "AddedMassConstraint: body is static, 1/mass = 0");
+  }
+  const Vec3 inverseInertia = fromBullet(body.getInvInertiaDiagLocal());
+  Vec6 root;
+  root.head<3>().setConstant(std::sqrt(1.0 / static_cast<double>(body.getInvMass())));
+  for (int i = 0; i < 3; ++i) {
+    if (!(inverseInertia[i] > 0.0)) {
+      throw HydroError(Fault::ValueOutOfRange,
+                       "AddedMassConstraint: body has no inertia about axis " + std::to_string(i));
+    }
+    root[3 + i] = std::sqrt(1.0 / inverseInertia[i]);
+  }
+  return root;
+}
+
+void store(btScalar* axis, const btVector3& v, double factor) {
+  for (int i = 0; i < 3; ++i) axis[i] = static_cast<btScalar>(factor) * v[i];
+}
+
+// Bullet's gyroscopic velocity change of this tick, which the solver adds on top of total torque.
+btVector3 gyroscopicChange(const btRigidBody& body, btScalar step) {
+  btVector3 change(0, 0, 0);
+  const int flags = body.getFlags();
+  if (flags & BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT) {
+    change -=
+        body.computeGyroscopicForceExplicit(SIMD_INFINITY) * body.getInvInertiaTensorWorld() * step;
+  }
+  if (flags & BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD) {
+    change += body.computeGyroscopicImpulseImplicit_World(step);
+  }
+  if (flags & BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY) {
+    change += body.computeGyroscopicImpulseImplicit_Body(step);
+  }
+  return change;
+}
+
+}  // namespace
+
+// With y = √M x the generalised problem A∞ x = l M x is the symmetric one of √M⁻¹ A∞ √M⁻¹, whose
+// unit eigenvectors y give xᵀMx = 1 and J = M x = √M y.
+AddedMassConstraint::AddedMassConstraint(btRigidBody& body, const Mat6& addedMass)
+    : btTypedConstraint(MAX_CONSTRAINT_TYPE, body, body) {
+  if (!addedMass.allFinite()) {
+    throw HydroError(Fault::ValueOutOfRange, "AddedMassConstraint: added mass is not finite");
+  }
+  const Vec6 root = rootOfMass(body);
+  const Mat6 scaled = root.cwiseInverse().asDiagonal() *
+                      (0.5 * (addedMass + addedMass.transpose())) *
+                      root.cwiseInverse().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Mat6> eigen(scaled);
+  for (int r = 5; r >= 0; --r) {
+    const double ratio = eigen.eigenvalues()[r];
+    if (ratio < kSmallestRatio) continue;
+    const Vec6 j = root.cwiseProduct(eigen.eigenvectors().col(r));
+    rows_[static_cast<std::size_t>(count_++)] = {j.head<3>(), j.tail<3>(), ratio};
+  }
+  feedback_ = {};
+  setJointFeedback(&feedback_);
+  forgetPast();
+}
+
+// integrateTransforms copies the solver's velocity into the interpolation velocity before any
+// action runs; a vehicle's impulse in an action that ran before ours is thus still ahead of v⁻.
+void AddedMassConstraint::endTick() noexcept {
+  setPast(m_rbA.getInterpolationLinearVelocity(), m_rbA.getInterpolationAngularVelocity());
+}
+
+void AddedMassConstraint::forgetPast() noexcept {
+  setPast(m_rbA.getLinearVelocity(), m_rbA.getAngularVelocity());
+}
+
+void AddedMassConstraint::setPast(const btVector3& linear, const btVector3& angular) noexcept {
+  linear_ = linear;
+  angular_ = angular;
+}
+
+Vec3 AddedMassConstraint::force() const noexcept {
+  return fromBullet(feedback_.m_appliedForceBodyA) + fromBullet(feedback_.m_appliedForceBodyB);
+}
+
+Vec3 AddedMassConstraint::moment() const noexcept {
+  return fromBullet(feedback_.m_appliedTorqueBodyA) + fromBullet(feedback_.m_appliedTorqueBodyB);
+}
+
+double AddedMassConstraint::largestRatio() const noexcept {
+  return count_ == 0 ? 0.0 : rows_[0].ratio;  // in falling order
+}
+
+int AddedMassConstraint::iterationsFor(double tolerance) const noexcept {
+  const double l = largestRatio();
+  if (l <= 0.0 || !(tolerance > 0.0) || tolerance >= 1.0) return 1;
+  return std::max(1, static_cast<int>(std::ceil(std::log(tolerance) / std::log(l / (1.0 + l)))));
+}
+
+void AddedMassConstraint::getInfo1(btConstraintInfo1* info) {
+  info->m_numConstraintRows = count_;
+  info->nub = 6 - count_;
+}
+
+// What the tick will have added to v⁻ before the solver's own impulses: impulses applied since the
+// last solve, and Bullet's forces, in Bullet's own arithmetic so that rest is exactly rest.
+void AddedMassConstraint::pendingChange(Vec3& linear, Vec3& angular) const noexcept {
+  const btVector3 byForce = m_rbA.getTotalForce() * m_rbA.getInvMass() * step_;
+  const btVector3 byTorque = m_rbA.getTotalTorque() * m_rbA.getInvInertiaTensorWorld() * step_;
+  linear = fromBullet(m_rbA.getLinearVelocity() - linear_) + fromBullet(byForce);
+  angular = fromBullet(m_rbA.getAngularVelocity() - angular_) + fromBullet(byTorque) +
+            fromBullet(gyroscopicChange(m_rbA, step_));
+}
+
+// We want λ = −l J(Δv_pending + Δv), Δv the solver's change so far, J M⁻¹ Jᵀ = 1. Bullet iterates
+//     λ += [e − J·Δv]/D − cfm·λ,    D = J₁M⁻¹J₁ᵀ + J₂M⁻¹J₂ᵀ,
+// on two bodies; ours are the same one, so only J₁ + J₂ = J acts while D is ours to choose. At rest
+// of the iteration cfm·D·λ = e − J·Δv: hence e = −J·Δv_pending and cfm·D = 1/l. One step from λ = 0
+// gives e/D and must be the answer e/(1 + 1/l): hence D = 1 + 1/l and cfm = 1/(1 + l).
+// With J₁ = (1+κ)J and J₂ = −κJ, D = 1 + 2κ + 2κ², so κ = (−1 + √(1 + 2/l))/2.
+// m_damping = 0 keeps Bullet from adding −J·v of the whole velocity to e.
+void AddedMassConstraint::getInfo2(btConstraintInfo2* info) {
+  Vec3 linear, angular;
+  pendingChange(linear, angular);
+  const btMatrix3x3& toEarth = m_rbA.getWorldTransform().getBasis();
+  info->m_damping = 0;
+  for (int r = 0; r < count_; ++r) {
+    const Row& row = rows_[static_cast<std::size_t>(r)];
+    const btVector3 j = toEarth * toBullet(row.linear);
+    const btVector3 k = toEarth * toBullet(row.angular);
+    const double kappa = 0.5 * (std::sqrt(1.0 + 2.0 / row.ratio) - 1.0);
+    const int at = r * info->rowskip;
+    store(info->m_J1linearAxis + at, j, 1.0 + kappa);
+    store(info->m_J1angularAxis + at, k, 1.0 + kappa);
+    store(info->m_J2linearAxis + at, j, -kappa);
+    store(info->m_J2angularAxis + at, k, -kappa);
+    info->m_constraintError[at] =
+        static_cast<btScalar>(-fromBullet(j).dot(linear) - fromBullet(k).dot(angular));
+    info->cfm[at] = static_cast<btScalar>(1.0 / (1.0 + row.ratio));
+  }
+}
+
+CUTWATER_PLUGIN_END

@@ -1,0 +1,51 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "plugin/Seaway.h"
+
+CUTWATER_PLUGIN_BEGIN
+
+struct RecorderSettings {
+  bool forces = false;
+  int every = 1;  ///< record one tick in so many, the first one included
+};
+
+/// Motions of a ship, and if wished the parts of its loads, at every internal tick, as CSV:
+///   t,x,y,z,roll_deg,pitch_deg,yaw_deg,u,v,w,p,q,r,wave
+/// and with forces <part>_F1 … <part>_F6 for gravity, restoring, froude_krylov, diffraction,
+/// radiation, added_mass, supplementary. A row is the state at t_n and the loads evaluated from it
+/// (TickRecord): x, y, z of G [m] in E; u … r [m/s, rad/s] in B; forces [N, N·m] about G in H.
+/// Memory grows by 8 bytes a number; reserve() keeps it from being allocated within ticks.
+class Recorder final : private TickObserver {
+ public:
+  /// Seaway and ship must outlive it.
+  Recorder(Seaway& seaway, const Ship& ship, RecorderSettings settings = {});
+  ~Recorder() override;
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  void reserve(std::size_t rows) { numbers_.reserve(rows * columns().size()); }
+  std::size_t rows() const noexcept { return numbers_.size() / names_.size(); }
+  const std::vector<std::string>& columns() const noexcept { return names_; }
+  double at(std::size_t row, std::size_t column) const {
+    return numbers_[row * names_.size() + column];
+  }
+
+  /// Header and rows.
+  std::string csv() const;
+  /// Written whole, under another name first, then renamed. @throws HydroError FileNotWritable.
+  void write(const std::string& path) const;
+
+ private:
+  void tickDone(const Seaway& seaway) noexcept override;
+
+  Seaway& seaway_;
+  const Ship& ship_;
+  RecorderSettings settings_;
+  std::size_t ticks_ = 0;
+  std::vector<std::string> names_;
+  std::vector<double> numbers_;
+};
+
+CUTWATER_PLUGIN_END

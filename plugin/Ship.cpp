@@ -1,0 +1,349 @@
+#include "plugin/Ship.h"
+
+#include <BulletCollision/CollisionShapes/btShapeHull.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "hydro/Errors.h"
+
+CUTWATER_PLUGIN_BEGIN
+
+namespace {
+
+Mat3 rotationZ(double angle) { return Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix(); }
+
+Mat3 attitudeMatrix(const Vec3& rollPitchYaw) {
+  return (Eigen::AngleAxisd(rollPitchYaw[2], Vec3::UnitZ()) *
+          Eigen::AngleAxisd(rollPitchYaw[1], Vec3::UnitY()) *
+          Eigen::AngleAxisd(rollPitchYaw[0], Vec3::UnitX()))
+      .toRotationMatrix();
+}
+
+// The same rotation on both halves of a velocity or a force.
+Vec6 rotated(const Mat3& r, const Vec6& v) {
+  Vec6 result;
+  result << r * v.head<3>(), r * v.tail<3>();
+  return result;
+}
+
+Vec6 sixOf(const btVector3& linear, const btVector3& angular) {
+  Vec6 result;
+  result << fromBullet(linear), fromBullet(angular);
+  return result;
+}
+
+// Gravity as the solver will apply it, in its own order of operations and rounding.
+btVector3 gravityForce(const btRigidBody& body) {
+  return body.getGravity() * (btScalar(1) / body.getInvMass());
+}
+
+bool finite(const btVector3& v) {
+  return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
+}
+
+bool stateFinite(const btRigidBody& body) {
+  bool good = finite(body.getWorldTransform().getOrigin()) && finite(body.getLinearVelocity()) &&
+              finite(body.getAngularVelocity());
+  for (int i = 0; i < 3; ++i) good = good && finite(body.getWorldTransform().getBasis()[i]);
+  return good;
+}
+
+// Contacts need few points: Bullet's hull of at most some 40 of the mesh's vertices, in B.
+std::unique_ptr<btCollisionShape> convexHull(const ShipParticulars& ship) {
+  const auto& mesh = ship.hull.vertices.empty() ? ship.wetSurface : ship.hull;
+  if (mesh.vertices.empty()) {
+    throw HydroError(Fault::DatabaseIncomplete,
+                     "Seaway::addShip: the database has no hull; give ShipSettings::shape");
+  }
+  btConvexHullShape every;
+  for (const Vec3& vertex : mesh.vertices) every.addPoint(toBullet(vertex - ship.cog), false);
+  if (ship.hull.vertices.empty() && ship.symmetric) {
+    for (const Vec3& v : mesh.vertices) {
+      every.addPoint(toBullet(Vec3(v.x(), -v.y(), v.z()) - ship.cog), false);
+    }
+  }
+  every.recalcLocalAabb();
+  btShapeHull reduced(&every);
+  reduced.buildHull(every.getMargin());
+  auto shape = std::make_unique<btConvexHullShape>();
+  for (int i = 0; i < reduced.numVertices(); ++i) {
+    shape->addPoint(reduced.getVertexPointer()[i], false);
+  }
+  shape->recalcLocalAabb();
+  return shape;
+}
+
+void requirePositive(double value, const char* what) {
+  if (std::isfinite(value) && value > 0.0) return;
+  throw HydroError(Fault::ValueOutOfRange, std::string("Seaway::addShip: ") + what +
+                                               " is not positive: " + std::to_string(value));
+}
+
+}  // namespace
+
+Vec3 eulerAngles(const Mat3& r) noexcept {
+  return {std::atan2(r(2, 1), r(2, 2)), std::asin(std::clamp(-r(2, 0), -1.0, 1.0)),
+          std::atan2(r(1, 0), r(0, 0))};
+}
+
+Ship::Ship(btDiscreteDynamicsWorld& world, const Coefficients& coefficients, const SeaState& sea,
+           const ShipSettings& settings, btRigidBody* own)
+    : world_(world),
+      coefficients_(coefficients),
+      sea_(sea),
+      courseX_(settings.x),
+      courseY_(settings.y),
+      courseHeading_(settings.heading),
+      restoring_(coefficients),
+      excitation_(coefficients, sea, settings.heading),
+      supplementary_(coefficients.ship.supplementary) {
+  requirePositive(coefficients.ship.mass, "mass");
+  for (int i = 0; i < 3; ++i) requirePositive(coefficients.ship.gyradii[i], "a gyradius");
+  if (own != nullptr) {
+    adoptBody(*own);
+  } else {
+    createBody(settings);
+  }
+  body_->setDamping(0, 0);
+  body_->setSleepingThresholds(0, 0);
+  body_->forceActivationState(DISABLE_DEACTIVATION);
+  addedMass_ = std::make_unique<AddedMassConstraint>(*body_, coefficients.addedMassInf);
+  resetVelocity(fromBullet(body_->getLinearVelocity()), fromBullet(body_->getAngularVelocity()));
+  if (ownBody_) world_.addRigidBody(body_);
+  world_.addConstraint(addedMass_.get());
+  restrain(settings.restrained);
+}
+
+Ship::~Ship() {
+  if (restraint_) world_.removeConstraint(restraint_.get());
+  world_.removeConstraint(addedMass_.get());
+  if (ownBody_) world_.removeRigidBody(body_);
+}
+
+void Ship::createBody(const ShipSettings& settings) {
+  const ShipParticulars& ship = coefficients_.ship;
+  btCollisionShape* shape = settings.shape;
+  if (shape == nullptr) {
+    hullShape_ = convexHull(ship);
+    shape = hullShape_.get();
+  }
+  const Vec3 inertia = ship.mass * ship.gyradii.cwiseProduct(ship.gyradii);
+  ownBody_ = std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(
+      static_cast<btScalar>(ship.mass), nullptr, shape, toBullet(inertia)));
+  body_ = ownBody_.get();
+  setPose(settings.offset);
+  const Vec6 velocity =
+      rotated(fromBullet(body_->getWorldTransform().getBasis()), settings.velocity);
+  body_->setLinearVelocity(toBullet(velocity.head<3>()));
+  body_->setAngularVelocity(toBullet(velocity.tail<3>()));
+}
+
+// The coefficients belong to one mass distribution; another would float and roll differently.
+void Ship::adoptBody(btRigidBody& own) {
+  const double mass = coefficients_.ship.mass;
+  if (std::abs(static_cast<double>(own.getInvMass()) * mass - 1.0) > 1e-3) {
+    throw HydroError(Fault::ValueOutOfRange,
+                     "Seaway::addShip: the body's 1/mass " + std::to_string(own.getInvMass()) +
+                         " is not that of the database's mass " + std::to_string(mass));
+  }
+  if (!own.isInWorld()) {
+    throw HydroError(Fault::BadArgument, "Seaway::addShip: add the body to the world first");
+  }
+  body_ = &own;
+  const Vec3 at = position();
+  courseX_ = at.x();
+  courseY_ = at.y();
+  courseHeading_ = attitude()[2];
+  excitation_ = ExcitationForce(coefficients_, sea_, courseHeading_);
+}
+
+void Ship::setPose(const Vec6& offset) noexcept {
+  const Vec3 mean(courseX_, courseY_, coefficients_.ship.cog.z());
+  const Mat3 course = rotationZ(courseHeading_);
+  body_->setCenterOfMassTransform(
+      btTransform(toBulletBasis(course * attitudeMatrix(offset.tail<3>())),
+                  toBullet(mean + course * offset.head<3>())));
+}
+
+// A stock joint to the fixed world, its free axes open (lower limit above the upper one). Made at
+// the mean pose, which so becomes its zero.
+void Ship::restrain(const std::array<bool, 6>& modes) {
+  if (std::none_of(modes.begin(), modes.end(), [](bool held) { return held; })) return;
+  const btTransform start = body_->getWorldTransform();
+  setPose(Vec6::Zero());
+  auto joint = std::make_unique<btGeneric6DofSpring2Constraint>(*body_, btTransform::getIdentity());
+  for (int j = 0; j < 6; ++j) {
+    const bool held = modes[static_cast<std::size_t>(j)];
+    joint->setLimit(j, held ? btScalar(0) : btScalar(1), held ? btScalar(0) : btScalar(-1));
+  }
+  body_->setCenterOfMassTransform(start);
+  world_.addConstraint(joint.get());
+  restraint_ = std::move(joint);
+}
+
+Vec3 Ship::position() const noexcept { return fromBullet(body_->getWorldTransform().getOrigin()); }
+
+Vec3 Ship::attitude() const noexcept {
+  return eulerAngles(fromBullet(body_->getWorldTransform().getBasis()));
+}
+
+Vec6 Ship::velocity() const noexcept {
+  return rotated(fromBullet(body_->getWorldTransform().getBasis()).transpose(),
+                 sixOf(body_->getLinearVelocity(), body_->getAngularVelocity()));
+}
+
+Vec6 Ship::motion() const noexcept { return motionAt(0.0).eta; }
+
+Mat3 Ship::toCourse() const noexcept { return rotationZ(-courseHeading_); }
+
+// Bullet moves x_{n+1} = x_n + h v_{n+1}: v_n is the mean over the tick that ended at t_n, centred
+// at t_n − h/2, and (3 v_n − v_{n−1})/2 is second order at t_n. Blows since the last solve are not
+// in it.
+ShipMotion Ship::motionAt(double time) const noexcept {
+  const Mat3 course = toCourse();
+  const Vec3 mean(courseX_, courseY_, coefficients_.ship.cog.z());
+  const Vec6 velocity = sixOf(addedMass_->linearVelocity(), addedMass_->angularVelocity());
+  ShipMotion motion;
+  motion.time = time;
+  motion.eta << course * (position() - mean),
+      eulerAngles(course * fromBullet(body_->getWorldTransform().getBasis()));
+  motion.etaDot = rotated(course, velocity);
+  motion.etaDotNow = rotated(course, 1.5 * velocity - 0.5 * velocityBefore_);
+  motion.meanX = courseX_;
+  motion.meanY = courseY_;
+  return motion;
+}
+
+void Ship::resetVelocity(const Vec3& linear, const Vec3& angular) noexcept {
+  body_->setLinearVelocity(toBullet(linear));
+  body_->setAngularVelocity(toBullet(angular));
+  addedMass_->forgetPast();
+  velocityBefore_ = sixOf(body_->getLinearVelocity(), body_->getAngularVelocity());
+}
+
+void Ship::placeAt(double x, double y, double heading, const Vec6& offset) {
+  ExcitationForce excitation(coefficients_, sea_, heading);
+  excitation_ = std::move(excitation);
+  std::array<bool, 6> held{};
+  if (restraint_) {
+    auto* joint = static_cast<btGeneric6DofSpring2Constraint*>(restraint_.get());
+    for (int j = 0; j < 6; ++j) held[static_cast<std::size_t>(j)] = joint->isLimited(j);
+    world_.removeConstraint(restraint_.get());
+    restraint_.reset();
+  }
+  courseX_ = x;
+  courseY_ = y;
+  courseHeading_ = heading;
+  setPose(offset);
+  resetVelocity(Vec3::Zero(), Vec3::Zero());
+  restrain(held);
+  if (radiation_) radiation_->memory().reset();
+}
+
+Ship::Snapshot Ship::save() const {
+  Snapshot s;
+  s.transform = body_->getWorldTransform();
+  s.interpolated = body_->getInterpolationWorldTransform();
+  s.velocities = {body_->getLinearVelocity(), body_->getAngularVelocity(),
+                  body_->getInterpolationLinearVelocity(),
+                  body_->getInterpolationAngularVelocity()};
+  s.past = {addedMass_->linearVelocity(), addedMass_->angularVelocity()};
+  s.before = velocityBefore_;
+  s.course = {courseX_, courseY_, courseHeading_};
+  if (radiation_) s.memory = radiation_->memory().save();
+  return s;
+}
+
+void Ship::restore(const Snapshot& s) {
+  const std::array<double, 3> course{courseX_, courseY_, courseHeading_};
+  if (s.memory && !radiation_) {
+    throw HydroError(Fault::BadArgument,
+                     "Ship::restore: no tick length is known yet; prepare() first");
+  }
+  if (s.memory) radiation_->memory().restore(*s.memory);
+  if (!s.memory && radiation_) radiation_->memory().reset();
+  if (course != s.course) placeAt(s.course[0], s.course[1], s.course[2]);
+  if (s.memory && course != s.course) radiation_->memory().restore(*s.memory);
+  body_->setCenterOfMassTransform(s.transform);
+  body_->setInterpolationWorldTransform(s.interpolated);
+  body_->setLinearVelocity(s.velocities[0]);
+  body_->setAngularVelocity(s.velocities[1]);
+  body_->setInterpolationLinearVelocity(s.velocities[2]);
+  body_->setInterpolationAngularVelocity(s.velocities[3]);
+  addedMass_->setPast(s.past[0], s.past[1]);
+  velocityBefore_ = s.before;
+}
+
+void Ship::prepare(double step) { radiation_.emplace(coefficients_, step); }
+
+// Bullet's tick is a float in one build: 1e-6 tells another length from another rounding.
+std::uint32_t Ship::matchTick(double step) noexcept {
+  const bool known = radiation_.has_value();
+  if (known && std::abs(radiation_->memory().step() - step) <= 1e-6 * step) return kStepOk;
+  try {
+    prepare(step);
+  } catch (...) {
+    radiation_.reset();
+    return kTickLengthChanged | kLoadNotFinite;
+  }
+  return known ? kTickLengthChanged : kStepOk;
+}
+
+void Ship::evaluate(const ShipMotion& motion) noexcept {
+  ForceParts& parts = record_.forces;
+  parts.gravity.setZero();
+  parts.gravity.head<3>() = toCourse() * fromBullet(gravityForce(*body_));
+  parts.restoring = restoring_.at(motion) - parts.gravity;
+  excitation_.at(motion);
+  parts.froudeKrylov = excitation_.froudeKrylov();
+  parts.diffraction = excitation_.diffraction();
+  parts.radiation = radiation_ ? radiation_->at(motion) : Vec6::Zero();
+  parts.supplementary = supplementary_.at(motion);
+}
+
+// Impulses, not forces: Bullet keeps forces over all ticks of one stepSimulation. The part of the
+// restoring load that carries the weight undoes Bullet's gravity in the solver's own arithmetic.
+bool Ship::apply(btScalar step) noexcept {
+  const ForceParts& p = record_.forces;
+  const Vec6 inH =
+      p.gravity + p.restoring + p.froudeKrylov + p.diffraction + p.radiation + p.supplementary;
+  if (!inH.allFinite()) return false;
+  const Vec6 impulse = static_cast<double>(step) * rotated(rotationZ(courseHeading_), inH);
+  const btVector3 weightChange = gravityForce(*body_) * body_->getInvMass() * step;
+  body_->setLinearVelocity(body_->getLinearVelocity() - weightChange);
+  body_->applyCentralImpulse(toBullet(impulse.head<3>()));
+  body_->applyTorqueImpulse(toBullet(impulse.tail<3>()));
+  return true;
+}
+
+std::uint32_t Ship::beginTick(double time, btScalar step) noexcept {
+  if (!body_->isInWorld()) return kBodyNotInWorld;
+  if (!(body_->getInvMass() > 0)) return kStepOk;  // held still by the user for now
+  if (!stateFinite(*body_)) return kStateNotFinite;
+  std::uint32_t faults = matchTick(static_cast<double>(step));
+  body_->setDamping(0, 0);
+  body_->forceActivationState(DISABLE_DEACTIVATION);
+  const ShipMotion motion = motionAt(time);
+  record_.time = time;
+  record_.position = position();
+  record_.attitude = attitude();
+  record_.velocity = rotated(
+      fromBullet(body_->getWorldTransform().getBasis()).transpose() * rotationZ(courseHeading_),
+      motion.etaDotNow);
+  record_.wave = sea_.elevation(time, record_.position.x(), record_.position.y());
+  evaluate(motion);
+  if (!apply(step)) faults |= kLoadNotFinite;
+  addedMass_->beginTick(step);
+  return faults;
+}
+
+void Ship::endTick() noexcept {
+  velocityBefore_ = sixOf(addedMass_->linearVelocity(), addedMass_->angularVelocity());
+  addedMass_->endTick();
+  record_.forces.addedMass << addedMass_->force(), addedMass_->moment();
+  record_.forces.addedMass = rotated(toCourse(), record_.forces.addedMass);
+}
+
+CUTWATER_PLUGIN_END

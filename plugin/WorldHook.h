@@ -1,0 +1,40 @@
+#pragma once
+#include "plugin/BulletTypes.h"
+
+CUTWATER_PLUGIN_BEGIN
+
+/// Called around each internal tick of a world.
+class TickListener {
+ public:
+  virtual ~TickListener() = default;
+  /// In the internal pre-tick, after the user's own callback. @param step h [s].
+  virtual void beforeTick(btScalar step) noexcept = 0;
+  /// After solve and integration, before the user's internal tick callback.
+  virtual void afterTick(btScalar step) noexcept = 0;
+  /// Somebody overwrote the pre-tick slot: this tick went without beforeTick(). Already mended.
+  virtual void slotTaken() noexcept = 0;
+};
+
+/// Our place in a world's tick. Bullet has one pre-tick slot and no getter for it; the callback
+/// found there is kept, called first, and put back at the end; worldUserInfo is never touched. The
+/// end of the tick is a btActionInterface, of which a world takes any number. One per world (a
+/// second one throws HydroError BadArgument). Must end before the world does.
+class WorldHook final : public btActionInterface {
+ public:
+  WorldHook(btDiscreteDynamicsWorld& world, TickListener& listener);
+  ~WorldHook() override;
+  WorldHook(const WorldHook&) = delete;
+  WorldHook& operator=(const WorldHook&) = delete;
+
+  void updateAction(btCollisionWorld*, btScalar step) override;
+  void debugDraw(btIDebugDraw*) override {}
+
+ private:
+  static void preTick(btDynamicsWorld* world, btScalar step);
+
+  btDiscreteDynamicsWorld& world_;
+  TickListener& listener_;
+  btInternalTickCallback user_ = nullptr;
+};
+
+CUTWATER_PLUGIN_END
