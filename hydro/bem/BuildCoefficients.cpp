@@ -1,0 +1,203 @@
+#include "hydro/bem/BuildCoefficients.h"
+
+#include <omp.h>
+
+#include <cmath>
+#include <exception>
+#include <mutex>
+
+#include "hydro/Errors.h"
+#include "hydro/bem/Diffraction.h"
+#include "hydro/bem/XDerivative.h"
+#include "hydro/geometry/Lid.h"
+
+namespace cutwater {
+namespace {
+
+void check(const ShipParticulars& ship, const SolveSettings& settings) {
+  if (ship.wetSurface.faces.empty())
+    throw HydroError(Fault::MeshEmpty, "buildCoefficients: the wet surface has no faces");
+  if (settings.omega.empty())
+    throw HydroError(Fault::BadArgument, "buildCoefficients: no frequencies");
+  double before = 0.0;
+  for (const double omega : settings.omega) {
+    if (!std::isfinite(omega) || omega <= before)
+      throw HydroError(std::isfinite(omega) && omega > 0.0 ? Fault::FrequenciesNotIncreasing
+                                                           : Fault::ValueOutOfRange,
+                       "buildCoefficients: frequency " + std::to_string(omega) + " rad/s after " +
+                           std::to_string(before) + "; they must rise from above 0");
+    before = omega;
+  }
+  for (const double heading : settings.headings)
+    if (!std::isfinite(heading))
+      throw HydroError(Fault::ValueOutOfRange, "buildCoefficients: a heading is not finite");
+  if (!(ship.density > 0.0) || !(ship.gravity > 0.0))
+    throw HydroError(Fault::ValueOutOfRange,
+                     "buildCoefficients: density " + std::to_string(ship.density) +
+                         " kg/m³ and gravity " + std::to_string(ship.gravity) +
+                         " m/s² must be above 0");
+}
+
+/// With G off the centre plane, even and odd modes couple: the whole hull then.
+ShipParticulars solvable(const ShipParticulars& ship) {
+  ShipParticulars whole = ship;
+  const double diagonal = bounds(ship.wetSurface).diagonal();
+  if (!ship.symmetric || std::abs(ship.cog.y()) <= 1e-9 * diagonal) return whole;
+  whole.symmetric = false;
+  whole.wetSurface = welded(joined(ship.wetSurface, mirroredInY(ship.wetSurface)), 1e-9 * diagonal);
+  return whole;
+}
+
+std::string describe(const SolveSettings& settings, std::size_t lidPanels) {
+  const auto word = [](bool b) { return b ? "true" : "false"; };
+  return "formulation = \"potential\"\nlid = " + std::string(word(settings.lid)) +
+         "\nlid_panels = " + std::to_string(lidPanels) +
+         "\nx_derivatives = " + word(settings.xDerivatives) +
+         "\nadjoint = " + word(settings.adjoint) + "\n";
+}
+
+/// FNV-1a over coordinates and corners: two databases of the same panels have the same hash.
+std::string hashOf(const SurfaceMesh& mesh) {
+  std::uint64_t hash = 14695981039346656037ull;
+  const auto add = [&hash](const void* data, std::size_t size) {
+    for (std::size_t i = 0; i < size; ++i)
+      hash = (hash ^ static_cast<const unsigned char*>(data)[i]) * 1099511628211ull;
+  };
+  for (const Vec3& vertex : mesh.vertices) add(vertex.data(), 3 * sizeof(double));
+  for (const Face& face : mesh.faces) add(face.v.data(), sizeof(face.v));
+  std::string text(16, '0');
+  for (std::size_t i = 0; i < 16; ++i) text[15 - i] = "0123456789abcdef"[(hash >> (4 * i)) & 15u];
+  return text;
+}
+
+/// One ship's sweep: what all frequencies share, and the result being filled. Each frequency writes
+/// only its own places, so threads need no lock.
+class Sweep {
+ public:
+  Sweep(Coefficients& out, const SolveSettings& settings, int threads)
+      : out_(out),
+        settings_(settings),
+        matrices_(panels(out.ship, settings), threads),
+        normals_(matrices_.mesh(), out.ship.cog),
+        derivative_(out.ship.wetSurface, matrices_.mesh()) {
+    const std::size_t count = out_.omega.size();
+    out_.addedMass.resize(count);
+    out_.damping.resize(count);
+    if (settings.xDerivatives) {
+      out_.addedMassX.resize(count);
+      out_.dampingX.resize(count);
+    }
+    if (settings.adjoint) out_.adjoint.resize(count);
+    out_.froudeKrylov.assign(out_.headings.size(), std::vector<CVec6>(count));
+    out_.diffraction = out_.froudeKrylov;
+    out_.conditionEven.resize(count);
+    if (matrices_.parities() == 2) out_.conditionOdd.resize(count);
+    out_.provenance.settings = describe(settings, matrices_.mesh().lid.size());
+  }
+
+  void solveLimits() {
+    for (const FrequencyLimit limit : {FrequencyLimit::Zero, FrequencyLimit::Infinite}) {
+      std::array<InfluencePair<double>, 2> pairs;
+      for (int p = 0; p < matrices_.parities(); ++p)
+        pairs[static_cast<std::size_t>(p)] = matrices_.atLimit(limit, static_cast<Parity>(p));
+      const SymmetricSystem<double> system(std::move(pairs), matrices_.parities());
+      const auto phi = radiationPotentials(system, normals_);
+      const bool zero = limit == FrequencyLimit::Zero;
+      (zero ? out_.addedMassZero : out_.addedMassInf) =
+          impulseMatrix(phi, normals_, out_.ship.density);
+      if (settings_.xDerivatives)
+        (zero ? out_.addedMassXZero : out_.addedMassXInf) =
+            impulseMatrixX(phi, normals_, derivative_, out_.ship.density);
+    }
+  }
+
+  void solve(std::size_t i) {
+    const double omega = out_.omega[i], K = omega * omega / out_.ship.gravity;
+    const SymmetricSystem<Complex> system(matrices_.atWaveNumber(K), matrices_.parities());
+    radiate(system, i);
+    diffract(system, i);
+    if (settings_.adjoint)
+      out_.adjoint[i] = adjointVectors(system, normals_, omega, out_.ship.density);
+    out_.conditionEven[i] = system.condition(Parity::Even);
+    if (matrices_.parities() == 2) out_.conditionOdd[i] = system.condition(Parity::Odd);
+  }
+
+ private:
+  static PanelMesh panels(const ShipParticulars& ship, const SolveSettings& settings) {
+    PanelMesh mesh = makePanels(ship.wetSurface, ship.symmetric);
+    if (settings.lid) mesh.lid = makeLid(ship.wetSurface, ship.symmetric, settings.lidPanelLength);
+    return mesh;
+  }
+
+  void radiate(const SymmetricSystem<Complex>& system, std::size_t i) {
+    const double omega = out_.omega[i], density = out_.ship.density;
+    const auto phi = radiationPotentials(system, normals_);
+    const CMat6 Z = impulseMatrix(phi, normals_, density);
+    out_.addedMass[i] = addedMass(Z);
+    out_.damping[i] = damping(Z, omega);
+    if (!settings_.xDerivatives) return;
+    const CMat6 ZX = impulseMatrixX(phi, normals_, derivative_, density);
+    out_.addedMassX[i] = addedMass(ZX);
+    out_.dampingX[i] = damping(ZX, omega);
+  }
+
+  void diffract(const SymmetricSystem<Complex>& system, std::size_t i) {
+    const ShipParticulars& ship = out_.ship;
+    for (std::size_t h = 0; h < out_.headings.size(); ++h) {
+      const AiryWave wave{out_.omega[i], out_.headings[h], ship.gravity};
+      const PanelMesh& mesh = matrices_.mesh();
+      out_.froudeKrylov[h][i] = froudeKrylovForce(mesh, wave, ship.cog, ship.density);
+      out_.diffraction[h][i] = diffraction(
+          system, normals_, incidentNormalVelocity(mesh, wave, ship.cog), wave.omega, ship.density);
+    }
+  }
+
+  Coefficients& out_;
+  const SolveSettings& settings_;
+  InfluenceMatrices matrices_;
+  ModeNormals normals_;
+  XDerivative derivative_;
+};
+
+}  // namespace
+
+Coefficients buildCoefficients(const ShipParticulars& ship, const SolveSettings& settings,
+                               const SolveProgress& progress) {
+  check(ship, settings);
+  Coefficients out;
+  out.ship = solvable(ship);
+  out.omega = settings.omega;
+  out.headings = settings.headings;
+  out.provenance.version = CUTWATER_VERSION;
+  out.provenance.meshHash = hashOf(out.ship.wetSurface);
+
+  const OneBlasThread oneBlasThread;
+  const int threads = settings.threads > 0 ? settings.threads : omp_get_num_procs();
+  Sweep sweep(out, settings, threads);
+  sweep.solveLimits();
+  const int total = static_cast<int>(out.omega.size());
+  int done = 0;
+  std::exception_ptr failure;
+  std::mutex guard;  // of the two above, and of progress
+  const auto stopped = [&] {
+    const std::lock_guard lock(guard);
+    return failure != nullptr;
+  };
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+  for (int i = 0; i < total; ++i) {
+    if (stopped()) continue;
+    try {
+      sweep.solve(static_cast<std::size_t>(i));
+      const std::lock_guard lock(guard);
+      ++done;
+      if (progress) progress(done, total);
+    } catch (...) {
+      const std::lock_guard lock(guard);
+      failure = std::current_exception();
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+  return out;
+}
+
+}  // namespace cutwater

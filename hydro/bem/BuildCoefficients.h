@@ -1,0 +1,39 @@
+#pragma once
+#include <functional>
+
+#include "hydro/database/Coefficients.h"
+
+namespace cutwater {
+
+/// What to solve for. Plain data; the defaults suit any ship.
+struct SolveSettings {
+  std::vector<double> omega;     ///< [rad/s]: finite, > 0, strictly increasing
+  std::vector<double> headings;  ///< β [rad] for the excitation table; may be empty
+  bool lid = true;              ///< lid panels on the interior waterplane: no irregular frequencies
+  double lidPanelLength = 0.0;  ///< [m]; 0: as the hull's panels along the waterline
+  bool xDerivatives = true;     ///< ∂A, ∂B
+  bool adjoint = true;          ///< adjoint vectors; without them no ship at speed
+  int threads = 0;              ///< 0: as many as the machine has. Results do not depend on it.
+};
+
+/// Called after each finished frequency, by one thread at a time, not always the same one. What it
+/// throws stops the sweep and comes out of buildCoefficients.
+using SolveProgress = std::function<void(int done, int total)>;
+
+/// Radiation and diffraction of a ship at rest in deep water: A, B, A(0), A(∞), F_I, F_D, adjoint
+/// vectors and condition numbers, at U = 0. Panel method, potential formulation
+/// (InfluenceMatrices.h).
+///
+/// A hull with `symmetric` set is solved by its port half; if G lies off its centre plane the modes
+/// mix, so it is solved whole and the result's wetSurface is the whole surface. Everything of
+/// `ship` is copied into the result; restoring and masses are not looked at.
+///
+/// Time: per frequency two LU factorizations of (n + m)³ and (n + m)² wave terms, n panels a side,
+/// m on the lid; frequencies are solved in parallel. Memory: 64(n + m)² bytes a thread and as much
+/// again.
+/// @throws HydroError FrequenciesNotIncreasing, ValueOutOfRange, MeshEmpty, BadArgument,
+/// MatrixSingular.
+Coefficients buildCoefficients(const ShipParticulars& ship, const SolveSettings& settings,
+                               const SolveProgress& progress = {});
+
+}  // namespace cutwater

@@ -1,0 +1,96 @@
+#include "hydro/bem/NearWave.h"
+
+#include <cmath>
+
+#include "hydro/green/WaveTerm.h"
+
+namespace cutwater {
+namespace {
+
+constexpr Complex kTwoPiI(0.0, 2.0 * kPi);
+constexpr double kEulerGamma = std::numbers::egamma;
+
+/// ρ and n_h·∇_ξ ln ρ = n_h·(ξ − x)_h / (R₁ρ) at one point, times its weight.
+void addLog(const Vec3& x, const Vec3& n, const QuadraturePoint& point, NearImage& sum) {
+  const double dx = point.x.x() - x.x(), dy = point.x.y() - x.y();
+  const double depth = -(x.z() + point.x.z());
+  const double R1 = std::sqrt(dx * dx + dy * dy + depth * depth);
+  const double rho = R1 + depth;
+  sum.log += point.weight * std::log(rho);
+  sum.logHorizontal += point.weight * (n.x() * dx + n.y() * dy) / (R1 * rho);
+}
+
+/// Quarters the panel until it is smaller than its distance from the image of x; the 4 × 4 rule
+/// then leaves less than 1e-5 of a logarithm.
+void addSubdivided(const Vec3& x, const Vec3& image, const Panel& source, int depth,
+                   NearImage& sum) {
+  double radius = 0.0;
+  for (const Vec3& corner : source.corner)
+    radius = std::max(radius, (corner - source.centroid).norm());
+  if (depth > 0 && (image - source.centroid).norm() < 2.0 * radius) {
+    for (const Panel& part : quarters(source)) addSubdivided(x, image, part, depth - 1, sum);
+    return;
+  }
+  for (const QuadraturePoint& point : panelQuadrature(source, 4))
+    addLog(x, source.normal, point, sum);
+}
+
+}  // namespace
+
+NearImage nearImage(const Vec3& x, const Panel& source) {
+  NearImage sum;
+  const Vec3 image(x.x(), x.y(), -x.z());
+  const double tiny = 1e-9 * std::sqrt(source.area);
+  if ((image - source.centroid).norm() < tiny) {
+    for (const QuadraturePoint& point : polarQuadrature(source, source.centroid, 10))
+      addLog(x, source.normal, point, sum);
+    return sum;
+  }
+  constexpr int kDeepest = 5;
+  addSubdivided(x, image, source, kDeepest, sum);
+  return sum;
+}
+
+WaveIntegral waveAtPoint(const Vec3& x, const Vec3& xi, const Vec3& n, double K) {
+  const double dx = xi.x() - x.x(), dy = xi.y() - x.y();
+  const double h = std::hypot(dx, dy);
+  const WaveTerm w = waveTerm(K * h, -K * (x.z() + xi.z()));
+  const double along = h > 0.0 ? (n.x() * dx + n.y() * dy) / h : 0.0;
+  return {K * (w.F - kTwoPiI * w.J0),
+          K * K * (along * (w.FX + kTwoPiI * w.J1) - n.z() * (w.FY + kTwoPiI * w.J0))};
+}
+
+// With L = ln((R + Y)/2) = ln ρ + ln(K/2):  F = (F + 2L) − 2L and F_Y = −F − 2/R, so that
+//   ∫ K F dS              = K Σ w (F + 2L) − 2K [∫ ln ρ dS + ln(K/2) ΔS]
+//   ∫ ∂(K F)/∂ζ dS        = −K² ∫ F_Y dS = K ∫ K F dS + 2K ∫ 1/R₁ dS
+//   ∫ n_h·∇(K F) dS       = K² Σ w (F_X + 2 L_X) n_h·e_h − 2K ∫ n_h·∇ ln ρ dS
+// F + 2L is continuous with value −2γ at R = 0; F_X + 2L_X is bounded.
+WaveIntegral nearWave(const Vec3& x, const NearImage& image, const Vec3& normal,
+                      std::span<const QuadraturePoint> points, double K) {
+  double area = 0.0, smooth = 0.0, smoothHorizontal = 0.0, oscillation = 0.0, oscillationX = 0.0;
+  for (const QuadraturePoint& point : points) {
+    const double dx = point.x.x() - x.x(), dy = point.x.y() - x.y();
+    const double h = std::hypot(dx, dy), depth = -(x.z() + point.x.z());
+    const double R1 = std::hypot(h, depth), X = K * h, R = K * R1, Y = K * depth;
+    area += point.weight;
+    if (R == 0.0) {
+      smooth += point.weight * -2.0 * kEulerGamma;
+      oscillation += point.weight;
+      continue;
+    }
+    const WaveTerm w = waveTerm(X, Y);
+    const double along = h > 0.0 ? point.weight * (normal.x() * dx + normal.y() * dy) / h : 0.0;
+    smooth += point.weight * (w.F + 2.0 * std::log(0.5 * (R + Y)));
+    smoothHorizontal += along * (w.FX + 2.0 * X / (R * (R + Y)));
+    oscillation += point.weight * w.J0;
+    oscillationX += along * w.J1;
+  }
+  const double value = K * (smooth - 2.0 * (image.log + std::log(0.5 * K) * area));
+  const double vertical = K * value + 2.0 * K * image.inverse;
+  const double horizontal = K * K * smoothHorizontal - 2.0 * K * image.logHorizontal;
+  return {value - kTwoPiI * K * oscillation,
+          horizontal + normal.z() * vertical +
+              kTwoPiI * K * K * (oscillationX - normal.z() * oscillation)};
+}
+
+}  // namespace cutwater

@@ -1,0 +1,35 @@
+#pragma once
+#include <span>
+
+#include "hydro/geometry/PanelQuadrature.h"
+
+namespace cutwater {
+
+/// The singular part of the wave term over one source panel, seen from field point x; with ρ = R₁ +
+/// |z + ζ|, R₁ the distance to the mirror image of x in z = 0. None depends on frequency.
+struct NearImage {
+  double log = 0.0;            ///< ∫ ln ρ dS [m² ln m]
+  double inverse = 0.0;        ///< ∫ 1/R₁ dS [m], filled by the caller (a Rankine integral)
+  double logHorizontal = 0.0;  ///< ∫ n_h·∇_ξ ln ρ dS [m], n_h the horizontal part of the normal
+};
+
+/// log and logHorizontal by Gauss points on quarters of quarters, or in polar coordinates when the
+/// image of x lies on the panel (a lid panel and its own centroid); relative error below 1e-5.
+NearImage nearImage(const Vec3& x, const Panel& source);
+
+/// Wave part g = K F − 2πiK e^{−Y}J₀ of −4πG, integrated over a source panel.
+struct WaveIntegral {
+  Complex value;   ///< ∫ g dS [m]
+  Complex normal;  ///< ∫ ∂g/∂n_ξ dS [–]
+};
+
+/// The wave part at one point ξ with normal n (not yet times an area). @pre x, ξ not both on z = 0
+/// at the same place.
+WaveIntegral waveAtPoint(const Vec3& x, const Vec3& xi, const Vec3& n, double K);
+
+/// With the singular part exact and the rest, F + 2 ln((R + Y)/2), at the `points` of the panel.
+/// @param K [1/m].
+WaveIntegral nearWave(const Vec3& x, const NearImage& image, const Vec3& normal,
+                      std::span<const QuadraturePoint> points, double K);
+
+}  // namespace cutwater

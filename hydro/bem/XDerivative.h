@@ -1,0 +1,33 @@
+#pragma once
+#include <Eigen/SparseCore>
+
+#include "hydro/bem/Radiation.h"
+
+namespace cutwater {
+
+/// ∫ ∂φ/∂x dS of every panel from its potential and normal velocity alone: by Stokes' theorem
+///     (∂φ/∂x) dS = n_x v dS + (Tφ),   (Tφ)_i = Σ_edges φ_edge (e × n_i)_x
+/// e the edge counter-clockwise about n, φ_edge the mean of the two panels that share it. On y = 0
+/// of a half hull φ_edge is 0 for odd potentials and the panel's own value for even ones; at the
+/// waterline and at other loose edges the panel's own value.
+class XDerivative {
+ public:
+  /// @param wet the mesh `mesh` was made from: its shared vertices say which panels are neighbours.
+  XDerivative(const SurfaceMesh& wet, const PanelMesh& mesh);
+
+  /// T of one parity, panels × panels.
+  const Eigen::SparseMatrix<double>& stokes(Parity parity) const {
+    return stokes_[static_cast<std::size_t>(parity)];
+  }
+
+ private:
+  std::array<Eigen::SparseMatrix<double>, 2> stokes_;
+};
+
+/// ∂Z_jk = −ρ ∫ ∂φ̂_k/∂x n_j dS, ∂B + iω∂A = iω∂Z; at ω → 0 and ∞ it is ∂A.  [M03] (12), (13), (25)
+template <typename Scalar>
+Eigen::Matrix<Scalar, 6, 6> impulseMatrixX(const ModePotentials<Scalar>& potentials,
+                                           const ModeNormals& normals,
+                                           const XDerivative& derivative, double density);
+
+}  // namespace cutwater

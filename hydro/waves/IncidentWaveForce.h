@@ -1,0 +1,34 @@
+#pragma once
+#include "hydro/geometry/PanelMesh.h"
+#include "hydro/waves/Wave.h"
+
+namespace cutwater {
+
+/// Force of the undisturbed wave on the hull held at rest, and moment about G, per metre of
+/// amplitude, crest over G at t = 0; modes, axes and signs of Conventions.h:
+///     F_I,j = iρω_I ∫ φ_I n_j dS = −ρg ∫ e^{kz − ik((x − x_G) cos β − (y − y_G) sin β)} n_j dS
+///                                                                        [M03] (64)-(68), 5.8
+/// Gauss points follow the ratio of panel size to wave length: relative error of each panel's share
+/// below 1e-6 for any wave. A symmetric mesh counts its starboard image.
+/// @param cog G in hull axes [m].  @param density ρ [kg/m³].
+/// @return [N/m] and [N·m/m].  Cost: some 20 panel exponentials each.
+CVec6 froudeKrylovForce(const PanelMesh& mesh, const AiryWave& wave, const Vec3& cog,
+                        double density);
+
+/// v = −∂φ_I/∂n at the centroids [m/s per m], the normal velocity of the diffracted wave, crest
+/// over G. Of a symmetric mesh the even and the odd part at its port panels, v_port = even + odd,
+/// v_starboard = even − odd ([M03] (69)-(79), with the factor e^{kz} missing in (76)); else `even`
+/// is v, `odd` empty.
+struct IncidentVelocity {
+  Eigen::VectorXcd even, odd;
+};
+IncidentVelocity incidentNormalVelocity(const PanelMesh& mesh, const AiryWave& wave,
+                                        const Vec3& cog);
+
+/// F_D,j = Σ_i b_j,i v_i from the adjoint vectors of one frequency (6 × panels,
+/// Coefficients::adjoint), phase and units as froudeKrylovForce. Exactly what solving the
+/// diffraction problem anew would give.
+CVec6 diffractionForce(const Eigen::Matrix<Complex, 6, Eigen::Dynamic>& adjoint,
+                       const PanelMesh& mesh, const AiryWave& wave, const Vec3& cog);
+
+}  // namespace cutwater
