@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "demos/cutwater/Commands.h"
+#include "demos/cutwater/Precision.h"
 #include "hydro/Errors.h"
 
 namespace {
@@ -40,8 +41,9 @@ void wave(CLI::App* sub, Arguments& a) {
 }
 
 void addGeometryAndSolver(CLI::App& app, Arguments& a) {
-  CLI::App* sub = command(app, "hydrostatics", "Volume, areas, centres, stiffness of a hull at rest",
-                          "hydrostatics meshes/frigate/ship.toml");
+  CLI::App* sub =
+      command(app, "hydrostatics", "Volume, areas, centres, stiffness of a hull at rest",
+              "hydrostatics meshes/frigate/ship.toml");
   sub->add_option("ship", a.input, "SHIP.toml")->required();
   output(sub, a);
   sub->callback([&a] { command::hydrostatics(a.input, a.out); });
@@ -63,8 +65,9 @@ void addTables(CLI::App& app, Arguments& a) {
   output(sub, a);
   sub->callback([&a] { command::info(a.input, a.out); });
 
-  sub = command(app, "coefficients", "Added mass and damping over frequency, 0 and infinity included",
-                "coefficients frigate.h5 -o coefficients.csv");
+  sub =
+      command(app, "coefficients", "Added mass and damping over frequency, 0 and infinity included",
+              "coefficients frigate.h5 -o coefficients.csv");
   sub->add_option("database", a.input, "DB.h5")->required();
   sub->add_option("--speed", a.speed, "forward speed U [m/s]; this version: 0");
   output(sub, a);
@@ -122,6 +125,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", CUTWATER_VERSION);
   app.require_subcommand(1);
   app.footer("`cutwater COMMAND --help` explains one command. Exit: 0 done, 1 failed, 2 usage.");
+  command::rememberArguments(argv);
   Arguments arguments;
   addGeometryAndSolver(app, arguments);
   addTables(app, arguments);

@@ -15,8 +15,8 @@ ExcitationForce::ExcitationForce(const Coefficients& coefficients, const SeaStat
   phasors_.reserve(sea.components().size());
   for (std::size_t i = 0; i < sea.components().size(); ++i) {
     const WaveComponent& wave = sea.components()[i];
-    // Seen from a ship whose course is turned by ψ̄ to port, a wave towards (cos β, −sin β) travels at
-    // the polar angle −β − ψ̄, hence β + ψ̄ relative to her.
+    // Seen from a ship whose course is turned by ψ̄ to port, a wave towards (cos β, −sin β) travels
+    // at the polar angle −β − ψ̄, hence β + ψ̄ relative to her.
     WaveExcitation::Force force;
     try {
       force = excitation.at(wave.omega, wave.heading + meanHeading);
@@ -35,7 +35,8 @@ Vec6 ExcitationForce::at(const ShipMotion& motion) noexcept {
   froudeKrylov_.setZero();
   diffraction_.setZero();
   for (const Phasor& p : phasors_) {
-    const double phase = p.omega * motion.time + p.phase - p.kx * motion.meanX - p.ky * motion.meanY;
+    const double phase =
+        p.omega * motion.time + p.phase - p.kx * motion.meanX - p.ky * motion.meanY;
     const double c = std::cos(phase), s = std::sin(phase);
     froudeKrylov_ += c * p.fkRe - s * p.fkIm;
     diffraction_ += c * p.diffRe - s * p.diffIm;

@@ -13,7 +13,8 @@ namespace cutwater {
 /// heading; r(t) the sea's ramp. Cost: one sine and cosine a component and 12 multiply-adds.
 class ExcitationForce final : public ForceGenerator {
  public:
-  /// @param meanHeading  ψ̄ [rad]: angle of the mean course from E's x axis, positive to port (about +z).
+  /// @param meanHeading  ψ̄ [rad]: angle of the mean course from E's x axis, positive to port (about
+  /// +z).
   /// @throws HydroError as WaveExcitation::at, naming the component.
   ExcitationForce(const Coefficients& coefficients, const SeaState& sea, double meanHeading);
 
@@ -25,8 +26,8 @@ class ExcitationForce final : public ForceGenerator {
 
  private:
   struct Phasor {
-    double omega, phase, kx, ky;              // argument ω t + phase − kx x̄ − ky ȳ
-    Vec6 fkRe, fkIm, diffRe, diffIm;          // a F̂
+    double omega, phase, kx, ky;      // argument ω t + phase − kx x̄ − ky ȳ
+    Vec6 fkRe, fkIm, diffRe, diffIm;  // a F̂
   };
   std::vector<Phasor> phasors_;
   SeaState sea_;

@@ -6,7 +6,8 @@ namespace cutwater {
 
 /// What potential flow lacks, as given numbers: viscous roll damping, the stiffness of a helmsman.
 ///   F_j = −b_j η̇_j − s_j η_j,   roll also −q |η̇₄| η̇₄                       [M03] section 9
-/// Velocities are those at t_n (ShipMotion::etaDotNow), so that the term is second order in the tick.
+/// Velocities are those at t_n (ShipMotion::etaDotNow), so that the term is second order in the
+/// tick.
 class SupplementaryForces final : public ForceGenerator {
  public:
   explicit SupplementaryForces(const Supplementary& terms) : terms_(terms) {}

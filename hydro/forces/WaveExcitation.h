@@ -7,10 +7,10 @@ namespace cutwater {
 /// Complex excitation of a ship by a unit Airy wave, for any heading and frequency, U = 0.
 ///   F_I = −ρg ∫ e^{kz − ik(x cos β − y sin β)} n_j dS, evaluated directly each time   [M03] 5.8
 ///   F_D = Σ_i b_j,i(ω) v_i(ω, β), adjoint vectors interpolated in ω, v exact      theory: adjoint
-/// Force and moment about G per metre of wave amplitude, crest over the mean position of G at t = 0.
-/// Of a database without adjoint vectors (a plain BEMIO file) the stored table is interpolated: cubic
-/// in ω, linear in β; F_I and F_D are then only as separate as the file has them.
-/// Immutable after construction; any thread may read. `at` costs O(panels); use it at load.
+/// Force and moment about G per metre of wave amplitude, crest over the mean position of G at t =
+/// 0. Of a database without adjoint vectors (a plain BEMIO file) the stored table is interpolated:
+/// cubic in ω, linear in β; F_I and F_D are then only as separate as the file has them. Immutable
+/// after construction; any thread may read. `at` costs O(panels); use it at load.
 class WaveExcitation {
  public:
   struct Force {

@@ -1,0 +1,28 @@
+#include "demos/cutwater/Progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace cutwater::command {
+
+Progress::~Progress() {
+  if (shown_ && isatty(STDERR_FILENO) != 0) std::fputc('\n', stderr);
+}
+
+void Progress::at(int done, int total) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  const auto now = Clock::now();
+  const std::chrono::duration<double> sinceLast = now - last_, elapsed = now - start_;
+  if (done < total && sinceLast.count() < (terminal ? 0.2 : 10.0)) return;
+  last_ = now;
+  shown_ = true;
+  const double left = done > 0 ? elapsed.count() * (total - done) / done : 0.0;
+  fmt::print(stderr, "{}{}: {}/{}, {:.0f} s, {:.0f} s left{}", terminal ? "\r\x1b[K" : "", what_,
+             done, total, elapsed.count(), left, terminal ? "" : "\n");
+  std::fflush(stderr);
+}
+
+}  // namespace cutwater::command

@@ -1,0 +1,24 @@
+#pragma once
+#include <chrono>
+#include <mutex>
+#include <string>
+
+namespace cutwater::command {
+
+/// Progress of long work with the time left, on stderr: one line rewritten on a terminal, else a
+/// line every ten seconds. Any thread may call.
+class Progress {
+ public:
+  explicit Progress(std::string what) : what_(std::move(what)) {}
+  ~Progress();
+  void at(int done, int total);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::string what_;
+  std::mutex mutex_;
+  Clock::time_point start_ = Clock::now(), last_ = start_;
+  bool shown_ = false;
+};
+
+}  // namespace cutwater::command

@@ -1,0 +1,54 @@
+#include <cmath>
+#include <cstdio>
+
+#include "demos/cutwater/Commands.h"
+#include "demos/cutwater/Precision.h"
+#include "demos/cutwater/Progress.h"
+#include "demos/cutwater/RunShip.h"
+#include "hydro/Errors.h"
+#include "plugin/Recorder.h"
+
+namespace cutwater::command {
+
+std::string describeFaults(std::uint32_t faults) {
+  std::string line;
+  const auto add = [&](StepFault bit, const char* what) {
+    if ((faults & bit) != 0) line += (line.empty() ? "" : "; ") + std::string(what);
+  };
+  add(kLoadNotFinite, "a load was not finite and was not applied");
+  add(kStateNotFinite, "the ship's position or velocity was not finite");
+  add(kTickLengthChanged, "the tick length changed");
+  add(kBodyNotInWorld, "the ship's body left the world");
+  add(kSolverNotSupported, "the solver cannot carry added mass");
+  return line;
+}
+
+void simulate(const std::string& path, bool forces, const std::string& out) {
+  const RunFile run = readRunFile(path);
+  usePrecision(run.doublePrecision);
+  if (run.omega.size() > 1) {
+    throw HydroError(Fault::ValueOutOfRange,
+                     path + ": [waves] omega: simulate takes one frequency; `sweep` takes several");
+  }
+  const Coefficients coefficients = readShipOfRun(run);
+  RunShip world(run, coefficients);
+  Recorder recorder(world.seaway(), world.ship(), {.forces = forces});
+  Progress progress("simulate");
+  const double frame = run.tick * run.substeps;
+  const int frames = static_cast<int>(std::floor(run.duration / frame + 1e-9)) + 1;
+  recorder.reserve(static_cast<std::size_t>(frames * run.substeps));
+  for (int i = 0; i < frames; ++i) {
+    world.step();
+    if (i % 256 == 0 || i + 1 == frames) progress.at(i + 1, frames);
+  }
+  const std::string faults = describeFaults(world.seaway().faults());
+  if (!faults.empty()) throw HydroError(Fault::ValueOutOfRange, path + ": " + faults);
+  if (out.empty()) {
+    const std::string csv = recorder.csv();
+    std::fwrite(csv.data(), 1, csv.size(), stdout);
+  } else {
+    recorder.write(out);
+  }
+}
+
+}  // namespace cutwater::command

@@ -1,0 +1,112 @@
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "demos/cutwater/Commands.h"
+#include "demos/cutwater/Csv.h"
+#include "demos/cutwater/HarmonicFit.h"
+#include "demos/cutwater/Precision.h"
+#include "demos/cutwater/Progress.h"
+#include "demos/cutwater/RunShip.h"
+#include "hydro/Errors.h"
+#include "hydro/forces/FrequencyResponse.h"
+
+namespace cutwater::command {
+
+namespace {
+
+// Motions in one regular wave, per metre and relative to the wave's crest at G, fitted over the
+// second half.
+CVec6 motionInBullet(const RunFile& run, const Coefficients& coefficients, std::size_t index) {
+  RunShip world(run, coefficients, index);
+  std::vector<double> time;
+  std::array<std::vector<double>, 6> motion;
+  const int frames = static_cast<int>(run.duration / (run.tick * run.substeps) + 1e-9);
+  for (int i = 0; i < frames; ++i) {
+    world.step();
+    if (2 * i < frames) continue;
+    time.push_back(world.seaway().time());
+    const Vec6 eta = world.ship().motion();
+    for (std::size_t j = 0; j < 6; ++j) motion[j].push_back(eta[static_cast<int>(j)]);
+  }
+  const std::string faults = describeFaults(world.seaway().faults());
+  if (!faults.empty()) throw HydroError(Fault::ValueOutOfRange, run.path + ": " + faults);
+  CVec6 amplitude;
+  const Complex unit = std::polar(run.amplitude, run.phase);
+  for (std::size_t j = 0; j < 6; ++j) {
+    amplitude[static_cast<int>(j)] = harmonicFit(run.omega[index], time, motion[j]) / unit;
+  }
+  return amplitude;
+}
+
+void check(const RunFile& run) {
+  const auto refuse = [&](const std::string& what) {
+    throw HydroError(Fault::ValueOutOfRange, run.path + ": " + what);
+  };
+  if (run.waves != RunFile::Waves::Regular) refuse("[waves] type: a sweep needs \"regular\"");
+  if (!(run.amplitude > 0.0)) refuse("[waves] amplitude = 0: a sweep needs waves");
+  for (const double omega : run.omega) {
+    // The second half of the run must hold two periods and the ramp must be over.
+    if (run.duration < std::max(2.0 * run.sea.ramp, 8.0 * kPi / omega)) {
+      refuse("[bullet] duration = " + csvNumber(run.duration) + ": too short to fit omega = " +
+             csvNumber(omega) + "; needs twice the ramp and four periods");
+    }
+  }
+}
+
+// Every wave in a Bullet world of its own, waves shared among threads.
+std::vector<CVec6> runAll(const RunFile& run, const Coefficients& coefficients, int threads) {
+  std::vector<CVec6> results(run.omega.size());
+  std::atomic<std::size_t> next{0};
+  std::atomic<int> done{0};
+  std::exception_ptr failure;
+  std::mutex mutex;
+  Progress progress("sweep");
+  const auto work = [&] {
+    for (std::size_t i; (i = next++) < results.size();) {
+      try {
+        results[i] = motionInBullet(run, coefficients, i);
+      } catch (...) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        failure = std::current_exception();
+        next = results.size();
+      }
+      progress.at(++done, static_cast<int>(results.size()));
+    }
+  };
+  const unsigned count =
+      threads > 0 ? static_cast<unsigned>(threads) : std::thread::hardware_concurrency();
+  std::vector<std::thread> pool;
+  for (unsigned i = 1; i < count; ++i) pool.emplace_back(work);
+  work();
+  for (std::thread& thread : pool) thread.join();
+  if (failure) std::rethrow_exception(failure);
+  return results;
+}
+
+}  // namespace
+
+void sweep(const std::string& path, int threads, const std::string& out) {
+  const RunFile run = readRunFile(path);
+  usePrecision(run.doublePrecision);
+  check(run);
+  const Coefficients coefficients = readShipOfRun(run);
+  const FrequencyResponse response(coefficients, run.restrained);
+  const std::vector<CVec6> inTime = runAll(run, coefficients, threads);
+  Csv csv("omega,omega_e,j,time_amplitude,time_phase_deg,freq_amplitude,freq_phase_deg");
+  constexpr double kToDegrees = 180.0 / kPi;
+  for (std::size_t i = 0; i < run.omega.size(); ++i) {
+    const CVec6 frequency = response.at(run.omega[i], run.heading);
+    for (int j = 0; j < 6; ++j) {
+      csv.row({run.omega[i], run.omega[i], j + 1.0, std::abs(inTime[i][j]),
+               kToDegrees * std::arg(inTime[i][j]), std::abs(frequency[j]),
+               kToDegrees * std::arg(frequency[j])});
+    }
+  }
+  csv.write(out);
+}
+
+}  // namespace cutwater::command

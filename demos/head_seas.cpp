@@ -1,0 +1,45 @@
+// The ship in a regular head sea: head_seas DATABASE.h5 [OUT.csv]
+// Look for: heave and pitch settle to the frequency domain's amplitudes; sway, roll and yaw stay
+// zero.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "demos/BulletWorld.h"
+#include "hydro/database/CoefficientsFile.h"
+#include "hydro/forces/FrequencyResponse.h"
+#include "plugin/Recorder.h"
+
+int main(int argc, char** argv) try {
+  using namespace cutwater;
+  if (argc < 2) return std::puts("usage: head_seas DATABASE.h5 [OUT.csv]"), 2;
+  const double omega = 0.7, amplitude = 0.5, tick = 0.02;
+  const Coefficients frigate = readCoefficients(argv[1]);
+  BulletWorld bullet(frigate.ship.gravity);
+  Seaway seaway(bullet.world, SeaState({{omega, amplitude, 0.0, kPi}}, frigate.ship.gravity, 60.0));
+  Ship& ship = seaway.addShip(frigate);
+  Recorder recorder(seaway, ship);
+
+  Vec6 largest = Vec6::Zero();
+  const double settled = 200.0, periods = 5 * 2.0 * kPi / omega;
+  while (seaway.time() < settled + periods) {
+    bullet.world.stepSimulation(tick, 1, tick);
+    if (seaway.time() > settled) largest = largest.cwiseMax(ship.motion().cwiseAbs());
+  }
+  const CVec6 expected = amplitude * FrequencyResponse(frigate).at(omega, kPi);
+  std::printf("mode    Bullet    frequency domain\n");
+  for (int j = 0; j < 6; ++j) {
+    std::printf("%-6s %9.6f %9.6f %s\n", kModeNames[j], largest[j], std::abs(expected[j]),
+                j < 3 ? "m" : "rad");
+  }
+  if (argc > 2) recorder.write(argv[2]);
+  const auto near = [&](int j) {
+    return std::abs(largest[j] / std::abs(expected[j]) - 1.0) < 0.02;
+  };
+  const double lateral = std::max({largest[Sway], largest[Roll], largest[Yaw]});
+  return seaway.faults() == kStepOk && near(Heave) && near(Pitch) && lateral < 1e-3 * amplitude ? 0
+                                                                                                : 1;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "head_seas: %s\n", error.what());
+  return 1;
+}

@@ -1,0 +1,96 @@
+#include "hydro/forces/WaveExcitation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "hydro/Errors.h"
+#include "hydro/database/Interpolation.h"
+#include "hydro/waves/IncidentWaveForce.h"
+
+namespace cutwater {
+
+namespace {
+
+// The two columns of a table of headings that bracket β, and the weight of the second; headings are
+// taken modulo 2π, and a symmetric hull's −β is β with the odd modes reversed.
+struct Bracket {
+  std::size_t low, high;
+  double weight;
+};
+
+Bracket bracket(const std::vector<double>& headings, double beta) {
+  const auto high = std::lower_bound(headings.begin(), headings.end(), beta - 1e-9);
+  const auto index = static_cast<std::size_t>(high - headings.begin());
+  if (high == headings.end() || (index == 0 && headings[0] > beta + 1e-9)) {
+    throw HydroError(Fault::ValueOutOfRange,
+                     "WaveExcitation: heading " + std::to_string(beta * 180.0 / kPi) +
+                         " deg is outside the database's table, which has no adjoint vectors");
+  }
+  if (index == 0) return {0, 0, 0.0};
+  const double width = headings[index] - headings[index - 1];
+  return {index - 1, index, (beta - headings[index - 1]) / width};
+}
+
+CVec6 reversedOddModes(const CVec6& force) {
+  CVec6 mirrored = force;
+  for (const int j : {Sway, Roll, Yaw}) mirrored[j] = -mirrored[j];
+  return mirrored;
+}
+
+}  // namespace
+
+WaveExcitation::WaveExcitation(const Coefficients& coefficients) : coefficients_(coefficients) {
+  if (!coefficients.ship.wetSurface.faces.empty()) {
+    panels_ = makePanels(coefficients.ship.wetSurface, coefficients.ship.symmetric);
+  }
+}
+
+WaveExcitation::Force WaveExcitation::at(double omega, double heading) const {
+  const auto& grid = coefficients_.omega;
+  if (grid.empty() || !(omega > 0.0) || omega > grid.back() * (1.0 + 1e-9)) {
+    throw HydroError(Fault::ValueOutOfRange,
+                     "WaveExcitation: omega = " + std::to_string(omega) + " rad/s is outside 0.." +
+                         std::to_string(grid.empty() ? 0.0 : grid.back()) + " of the database");
+  }
+  if (coefficients_.adjoint.empty() || panels_.panels.empty()) return fromTable(omega, heading);
+  const ShipParticulars& ship = coefficients_.ship;
+  const AiryWave wave{omega, heading, ship.gravity};
+  // b_j grows as ω from ω = 0, v as well: below the first frequency b_j is carried down in
+  // proportion.
+  const double solved = std::clamp(omega, grid.front(), grid.back());
+  Force force;
+  force.froudeKrylov = froudeKrylovForce(panels_, wave, ship.cog, ship.density);
+  force.diffraction = (omega < solved ? omega / solved : 1.0) *
+                      diffractionForce(adjointAt(coefficients_, solved), panels_, wave, ship.cog);
+  return force;
+}
+
+WaveExcitation::Force WaveExcitation::fromTable(double omega, double heading) const {
+  const Coefficients& c = coefficients_;
+  if (c.headings.empty() || c.froudeKrylov.empty()) {
+    throw HydroError(Fault::DatabaseIncomplete,
+                     "WaveExcitation: the database has no wave excitation");
+  }
+  // To [0, 2π); what a table of 0..π of a symmetric hull lacks is its mirror image.
+  double beta = std::remainder(heading, 2.0 * kPi);
+  if (beta < c.headings.front() - 1e-9 && !c.ship.symmetric) beta += 2.0 * kPi;
+  const bool mirrored = c.ship.symmetric && beta < 0.0 && beta < c.headings.front() - 1e-9;
+  const Bracket b = bracket(c.headings, mirrored ? -beta : beta);
+  const double solved = std::clamp(omega, c.omega.front(), c.omega.back());
+  const LocalCubic cubic = localCubic(c.omega, solved);
+  Force force;
+  for (std::size_t i = 0; i < cubic.count; ++i) {
+    const auto mix = [&](const std::vector<std::vector<CVec6>>& table) -> CVec6 {
+      const std::size_t row = cubic.first + i;
+      return cubic.weight[i] *
+             ((1.0 - b.weight) * table[b.low][row] + b.weight * table[b.high][row]);
+    };
+    force.froudeKrylov += mix(c.froudeKrylov);
+    force.diffraction += mix(c.diffraction);
+  }
+  if (mirrored) return {reversedOddModes(force.froudeKrylov), reversedOddModes(force.diffraction)};
+  return force;
+}
+
+}  // namespace cutwater
