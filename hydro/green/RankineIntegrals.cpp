@@ -237,6 +237,24 @@ RankineIntegrals RankinePanel::farAt(const Vec3& x) const noexcept {
   return {potential, radial * d + gradientU * u_ + gradientV * v_, -radial * z};
 }
 
+// ln ρ is the divergence of (½ ln ρ − ¼) times the vector from x, so each edge gives
+// d ∫ (½ ln ρ − ¼) ds with ∫ ln ρ ds = s ln ρ − s + d atan(s/d).
+double RankinePanel::logarithmInPlane(const Vec3& x) const noexcept {
+  const double xu = u_.dot(x - centroid_), xv = v_.dot(x - centroid_);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(corners_); ++i) {
+    const double au = cornerU_[i] - xu, av = cornerV_[i] - xv;
+    const double d = tangentV_[i] * au - tangentU_[i] * av;
+    if (d == 0.0) continue;  // x in line with the edge, or no edge: nothing
+    const auto upTo = [d](double s) {
+      return 0.25 * s * std::log(s * s + d * d) + 0.5 * d * std::atan(s / d) - 0.75 * s;
+    };
+    const double s1 = tangentU_[i] * au + tangentV_[i] * av;
+    sum += d * (upTo(s1 + length_[i]) - upTo(s1));
+  }
+  return sum;
+}
+
 RankineIntegrals RankinePanel::at(const Vec3& x) const noexcept {
   const double far = kFarRatio * radius_;
   return (x - centroid_).squaredNorm() > far * far ? farAt(x) : exactAt(x);

@@ -49,6 +49,10 @@ class RankinePanel {
   /// The far form, whatever the distance. @pre x is not the centroid.
   RankineIntegrals farAt(const Vec3& x) const noexcept;
 
+  /// ∫ ln ρ dS [m²], ρ [m] the distance on the panel from the foot of x: the logarithm that the
+  /// wave term has where both points are on the free surface (see WaveTerm.h). Exact, anywhere.
+  double logarithmInPlane(const Vec3& x) const noexcept;
+
   const Vec3& centroid() const { return centroid_; }  ///< of the area [m]
   const Vec3& normal() const { return normal_; }      ///< unit vector n
   double area() const { return area_; }               ///< [m²]
