@@ -113,7 +113,7 @@ WaveTerm waveTerm(double X, double Y) {
     return near(X, Y, R, patch, ring.local, column.local);
   }
   const Place row = place(1.0 / (R * kRowWidth), kFarRows - 1);
-  if (row.cell >= kSteepRow && alpha > kSteep) {
+  if (row.cell >= kSteepRow && alpha >= kSteep) {
     const Place column =
         place((alpha - kSteep) * (kSteepColumns / (1.0 - kSteep)), kSteepColumns - 1);
     const Patch& patch = tables().steep[(row.cell - kSteepRow) * kSteepColumns + column.cell];

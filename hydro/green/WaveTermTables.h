@@ -42,7 +42,7 @@ struct BesselCell {
 
 // The quarter plane, in R = √(X²+Y²), α = Y/R, s = 1/R:
 //   near:  R < 8; rings of width 1, ring i cut into i + 2 equal cells of α in [0, 1]; holds S, T.
-//   steep: 8 ≤ R < 36, α > 3/4; rows of width 1/72 in s, 4 columns of α; holds S, T.
+//   steep: 8 ≤ R ≤ 36, α ≥ 3/4; rows of width 1/72 in s, 4 columns of α; holds S, T.
 //   far:   the rest; the same rows, 8 columns of α in [0, 1]; holds −W R/2 and ∂W/∂X R³/2X.
 inline constexpr double kNear = 8.0, kFar = 36.0, kSteep = 0.75, kRowWidth = 1.0 / 72.0;
 inline constexpr std::size_t kRings = 8, kFarRows = 9, kFarColumns = 8;
