@@ -1,5 +1,6 @@
 #include "demos/cutwater/RunFile.h"
 
+#include "demos/cutwater/Commands.h"
 #include "demos/cutwater/ShipFile.h"
 #include "demos/cutwater/Toml.h"
 #include "hydro/Errors.h"

@@ -1,0 +1,49 @@
+#include <fmt/format.h>
+
+#include "demos/cutwater/Commands.h"
+#include "demos/cutwater/Csv.h"
+#include "demos/cutwater/ShipFile.h"
+
+namespace cutwater::command {
+
+void hydrostatics(const std::string& path, const std::string& out) {
+  const ShipFile ship = readShipFile(path);
+  const Hydrostatics& h = ship.hydrostatics;
+  Csv csv("name,value,unit");
+  const auto add = [&](const std::string& name, double value, const std::string& unit) {
+    csv.line(name + "," + csvNumber(value) + "," + unit);
+  };
+  add("volume", h.volume, "m^3");
+  add("displacement", h.displacement, "kg");
+  add("mass", ship.particulars.mass, "kg");
+  add("wetted_area", h.wettedArea, "m^2");
+  add("waterplane_area", h.waterplaneArea, "m^2");
+  add("lcb", h.buoyancy.x(), "m");
+  add("tcb", h.buoyancy.y(), "m");
+  add("vcb", h.buoyancy.z(), "m");
+  add("kb", h.kb, "m");
+  add("lcf", h.flotation.x(), "m");
+  for (int j = 0; j < 6; ++j) {
+    for (int k = 0; k < 6; ++k) {
+      const bool always = j == k && j >= 2 && j <= 4;
+      if (!always && h.restoring(j, k) == 0.0) continue;
+      const int angles = (j >= 3 ? 1 : 0) + (k >= 3 ? 1 : 0);
+      add(fmt::format("C{}{}", j + 1, k + 1), h.restoring(j, k),
+          angles == 0   ? "N/m"
+          : angles == 1 ? "N"
+                        : "N m");
+    }
+  }
+  add("bm_t", h.bmT, "m");
+  add("bm_l", h.bmL, "m");
+  add("gm_t", h.gmT, "m");
+  add("gm_l", h.gmL, "m");
+  add("draft", h.draft, "m");
+  add("length", h.length, "m");
+  add("beam", h.beam, "m");
+  add("panels", static_cast<double>(ship.particulars.wetSurface.faces.size()), "");
+  add("symmetric", ship.particulars.symmetric ? 1.0 : 0.0, "");
+  csv.write(out);
+}
+
+}  // namespace cutwater::command

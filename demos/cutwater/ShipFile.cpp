@@ -1,0 +1,177 @@
+#include "demos/cutwater/ShipFile.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "demos/cutwater/Commands.h"
+#include "demos/cutwater/Toml.h"
+#include "hydro/Errors.h"
+#include "hydro/geometry/MeshIO.h"
+
+namespace cutwater::command {
+
+namespace {
+
+constexpr double kDegree = kPi / 180.0;
+const std::vector<std::string> kAxes{"x", "-x", "y", "-y", "z", "-z"};
+
+Hull readHullSection(TomlFile& file, TomlSection hull) {
+  if (!hull.has("mesh")) hull.refuse("mesh", "is missing; it names the hull file");
+  const std::string mesh = file.beside(hull.text("mesh", ""));
+  MeshReadOptions options;
+  options.up = hull.text("up", options.up, kAxes);
+  options.forward = hull.text("forward", options.forward, kAxes);
+  if (options.up.back() == options.forward.back())
+    hull.refuse("forward", "is the axis that points up");
+  options.unit = hull.text("unit", options.unit, {"m", "mm", "cm", "ft", "in"});
+  options.waterline = hull.number("waterline", 0.0, -1e6, 1e6);
+  options.trimDeg = hull.number("trim_deg", 0.0, -45.0, 45.0);
+  options.heelDeg = hull.number("heel_deg", 0.0, -180.0, 180.0);
+  options.anyFormat = hull.boolean("any_format", false);
+  options.symmetric = hull.text("symmetric", "auto", {"auto", "none", "half"});
+  if (hull.isNumber("panels")) {
+    hull.refuse(
+        "panels",
+        "re-panelling is not in this version; \"as-is\" takes the file's faces below water");
+  }
+  hull.text("panels", "as-is", {"as-is"});
+  hull.finish();
+  return readHull(mesh, options);
+}
+
+void readMass(TomlSection mass, const Hydrostatics& afloat, ShipParticulars& ship) {
+  if (mass.isText("mass")) mass.text("mass", "auto", {"auto"});
+  ship.mass = mass.isNumber("mass") ? mass.number("mass", 0.0, 1e-9, 1e15) : afloat.displacement;
+  if (!mass.has("mass")) mass.text("mass", "auto");
+  if (!mass.has("cog")) {
+    mass.refuse("cog",
+                fmt::format("is missing; the centre of buoyancy is at [{:.3f}, {:.3f}, {:.3f}] m",
+                            afloat.buoyancy.x(), afloat.buoyancy.y(), afloat.buoyancy.z()));
+  }
+  ship.cog = mass.vector("cog", Vec3::Zero());
+  ship.gyradii =
+      mass.vector("gyradii", Vec3(0.35 * afloat.beam, 0.25 * afloat.length, 0.25 * afloat.length));
+  if (!(ship.gyradii.minCoeff() > 0.0)) mass.refuse("gyradii", "must be above 0");
+  mass.finish();
+}
+
+void readSupplementary(TomlSection section, Supplementary& terms) {
+  for (int j = 0; j < 6; ++j) {
+    const std::string mode = kModeNames[j];
+    terms.damping[j] = section.number(mode + "_damping", 0.0, 0.0, 1e18);
+    terms.stiffness[j] = section.number(mode + "_stiffness", 0.0, 0.0, 1e18);
+  }
+  terms.rollDampingQuadratic = section.number("roll_damping_quadratic", 0.0, 0.0, 1e18);
+  section.finish();
+}
+
+// Frequencies as given, increasing and above 0.
+std::vector<double> frequencies(TomlSection& section, const std::string& key, double from,
+                                double to, double step) {
+  std::vector<double> fallback;
+  const int count = static_cast<int>(std::lround((to - from) / step));
+  for (int i = 0; i <= count; ++i) fallback.push_back(from + i * step);
+  const std::vector<double> values = section.numbers(key, fallback, 1e-3, 1e3);
+  for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+    if (values[i + 1] <= values[i]) section.refuse(key, "must increase");
+  }
+  if (values.empty()) section.refuse(key, "must hold a frequency");
+  return values;
+}
+
+// Keys of the contract whose other values this version does not compute: refused, never ignored.
+void refuseOtherMethods(TomlSection& solve) {
+  const auto only = [&](const std::string& key, const std::string& value,
+                        const std::vector<std::string>& all) {
+    if (solve.text(key, value, all) != value) {
+      solve.refuse(key, "only \"" + value + "\" is possible in this version");
+    }
+  };
+  only("formulation", "potential", {"potential", "source"});
+  only("derivatives", "stokes", {"stokes", "source"});
+  solve.text("forward_speed", "report", {"report", "tuck"});  // both are nothing at U = 0
+  only("influence", "adjoint", {"adjoint", "direct", "interpolated", "interpolated-inverse"});
+  for (const char* key : {"source_points", "galerkin_points"}) {
+    if (solve.integer(key, 1, 1, 9) != 1) solve.refuse(key, "only 1 is possible in this version");
+  }
+  for (const double speed : solve.numbers("speeds", {0.0}, -100.0, 100.0)) {
+    if (speed != 0.0) solve.refuse("speeds", "only 0 is possible in this version");
+  }
+  for (const char* key : {"condition_limit_even", "condition_limit_odd"}) {
+    if (!solve.numbers(key, {}, 0.0, 0.0).empty())
+      solve.refuse(key, "no mask in this version; keep the lid");
+  }
+}
+
+void readSolve(TomlSection solve, ShipFile& ship) {
+  ship.solve.omega = frequencies(solve, "omega", 0.1, 6.0, 0.1);
+  ship.waveOmega = frequencies(solve, "wave_omega", 0.2, 2.0, 0.05);
+  if (ship.waveOmega.back() > ship.solve.omega.back() * (1.0 + 1e-9)) {
+    solve.refuse("wave_omega", "must end at or below the last omega");
+  }
+  ship.solve.headings.clear();
+  for (const double degrees : solve.numbers("headings_deg", {180.0}, -360.0, 360.0)) {
+    ship.solve.headings.push_back(degrees * kDegree);
+  }
+  ship.solve.lid = solve.boolean("lid", true);
+  refuseOtherMethods(solve);
+  solve.finish();
+}
+
+void warnIfUnbalanced(const std::string& path, const ShipFile& ship) {
+  const ShipParticulars& p = ship.particulars;
+  const double excess = p.mass / ship.hydrostatics.displacement - 1.0;
+  if (std::abs(excess) > 1e-3) {
+    warn(fmt::format(
+        "{}: [mass] mass is {:+.2f} % of density x volume; linear theory takes the hull as it lies",
+        path, 100.0 * excess));
+  }
+  const Vec3 lever = p.cog - ship.hydrostatics.buoyancy;
+  if (std::abs(lever.x()) > 1e-3 * ship.hydrostatics.length ||
+      std::abs(lever.y()) > 1e-3 * ship.hydrostatics.beam) {
+    warn(
+        fmt::format("{}: [mass] cog is not above the centre of buoyancy ({:+.3f} m forward, "
+                    "{:+.3f} m to port): "
+                    "she would trim or heel",
+                    path, lever.x(), lever.y()));
+  }
+  for (const auto& [gm, name] :
+       {std::pair{ship.hydrostatics.gmT, "gm_t"}, std::pair{ship.hydrostatics.gmL, "gm_l"}}) {
+    if (gm <= 0.0)
+      warn(fmt::format("{}: {} = {:.3f} m: she is not stable upright", path, name, gm));
+  }
+}
+
+}  // namespace
+
+ShipFile readShipFile(const std::string& path) {
+  TomlFile file(path);
+  ShipFile ship;
+  ShipParticulars& p = ship.particulars;
+  p.name = std::filesystem::absolute(path).parent_path().filename().string();
+  const Hull hull = readHullSection(file, file.section("hull"));
+  p.hull = hull.surface;
+  p.symmetric = hull.symmetric;
+  p.wetSurface = wetSurface(hull);
+  const SurfaceMesh wet = wholeWetSurface(hull);
+
+  TomlSection water = file.section("water");
+  p.density = water.number("density", kSeaWaterDensity, 1.0, 1e5);
+  p.gravity = water.number("gravity", kStandardGravity, 1e-3, 1e3);
+  water.finish();
+
+  readMass(file.section("mass"), hydrostatics(wet, Vec3::Zero(), p.density, p.gravity), p);
+  ship.hydrostatics = hydrostatics(wet, p.cog, p.density, p.gravity);
+  p.volume = ship.hydrostatics.volume;
+  p.centreOfBuoyancy = ship.hydrostatics.buoyancy;
+  p.restoring = ship.hydrostatics.restoring;
+  readSupplementary(file.section("supplementary"), p.supplementary);
+  readSolve(file.section("solve"), ship);
+  file.root().finish();
+  warnIfUnbalanced(path, ship);
+  return ship;
+}
+
+}  // namespace cutwater::command

@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+
+#include "hydro/bem/BuildCoefficients.h"
+#include "hydro/geometry/Hydrostatics.h"
+
+namespace cutwater::command {
+
+/// A SHIP.toml with its hull read and its equilibrium computed.
+struct ShipFile {
+  ShipParticulars particulars;  ///< complete: hull, mass, restoring
+  Hydrostatics hydrostatics;
+  SolveSettings solve;
+  std::vector<double> waveOmega;  ///< [rad/s]
+};
+
+/// Warns on stderr where mass and displacement or centre of gravity and buoyancy do not balance.
+/// @throws HydroError naming file, field and value.
+ShipFile readShipFile(const std::string& path);
+
+}  // namespace cutwater::command
