@@ -40,8 +40,8 @@ std::complex<double> product(std::complex<double> a, std::complex<double> b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
-// An edge's part of the solid angle is arg [(q2 + i d s2)(q1 − i d s1)], q = h² + |z| r [Wilton et
-// al. 1984]. Every q is positive, so it is smooth wherever the foot of x lies.
+// An edge's part of the solid angle is arg [(q2 + i d s2)(q1 − i d s1)], q = h² + |z| r [Wilton84].
+// Every q is positive, so it is smooth wherever the foot of x lies.
 std::complex<double> edgeTurn(double d, double s1, double s2, double q1, double q2, double scale) {
   return product({q2 * scale, d * s2 * scale}, {q1 * scale, -d * s1 * scale});
 }

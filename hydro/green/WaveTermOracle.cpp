@@ -61,8 +61,7 @@ Bessel bessel(double x) {
     b.J0 += std::cos(x * s) / kPoints;
     b.J1 += s * std::sin(x * s) / kPoints;
   }
-  // Struve's H₀ = (2/π)∫₀^{π/2} sin(x cos θ) dθ, and Y₀ = H₀ − (2/π)∫₀^∞ e^{−x sinh u} du; Y₁ =
-  // −Y₀'.
+  // Struve's H₀ = (2/π)∫₀^{π/2} sin(x cos θ) dθ; Y₀ = H₀ − (2/π)∫₀^∞ e^{−x sinh u} du, Y₁ = −Y₀'.
   constexpr int kPieces = 4;
   for (int i = 0; i < kPieces; ++i) {
     gauss(0.5 * kPi * i / kPieces, 0.5 * kPi * (i + 1) / kPieces, [&](double angle, double weight) {

@@ -44,12 +44,11 @@ struct BesselCell {
 //   near:  R < 8; rings of width 1, ring i cut into i + 2 equal cells of α in [0, 1]; holds S, T.
 //   steep: 8 ≤ R ≤ 36, α ≥ 3/4; rows of width 1/72 in s, 4 columns of α; holds S, T.
 //   far:   the rest; the same rows, 8 columns of α in [0, 1]; holds −W R/2 and ∂W/∂X R³/2X.
-inline constexpr double kNear = 8.0, kFar = 36.0, kSteep = 0.75, kRowWidth = 1.0 / 72.0;
+inline constexpr double kNear = 8.0, kSteep = 0.75, kRowWidth = 1.0 / 72.0;
 inline constexpr std::size_t kRings = 8, kFarRows = 9, kFarColumns = 8;
-inline constexpr std::size_t kSteepRow = 2, kSteepColumns = 4;  ///< rows below are beyond kFar
-inline constexpr std::size_t kBesselCells = 36;                 ///< X < 36
-inline constexpr std::size_t kSecondKindFrom =
-    5;  ///< cells below hold 0 for Y₀, Y₁, which nobody asks
+inline constexpr std::size_t kSteepRow = 2, kSteepColumns = 4;  // rows before: R > 36
+inline constexpr std::size_t kBesselCells = 36;                 // X < 36
+inline constexpr std::size_t kSecondKindFrom = 5;  // cells before hold 0 for Y₀, Y₁; none is read
 
 /// Ring i begins behind Σ_{m<i} (m + 2) patches.
 inline constexpr std::size_t ringBegin(std::size_t i) { return i * (i + 3) / 2; }

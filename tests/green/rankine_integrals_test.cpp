@@ -94,6 +94,31 @@ TEST(RankineIntegralsClosedForm, PotentialOfARightTriangleAtItsCorner) {
   EXPECT_NEAR(rankineIntegrals({0, 0, 0}, triangle).potential, expected, 1e-14);
 }
 
+// Square of half side h: ∫ ln ρ dS = 4h² [ln(h√2) + π/4 − 3/2] at its centre.
+TEST(RankineIntegralsClosedForm, LogarithmOverASquare) {
+  const double h = 0.35;
+  const double expected = 4.0 * h * h * (std::log(h * std::sqrt(2.0)) + kPi / 4.0 - 1.5);
+  EXPECT_NEAR(RankinePanel(rectangle(2 * h, 2 * h)).logarithmInPlane({0, 0, 3}), expected, 1e-15);
+}
+
+// In the plane ln ρ is the potential of a point: its Laplacian is 2π on the panel and 0 beside it.
+TEST(RankineIntegralsIdentity, LogarithmSolvesPoissonsEquationInThePlane) {
+  const RankinePanel panel(Corners{{0, 0, 0}, {2, 0.2, 0}, {1.6, 1.1, 0}, {-0.1, 0.6, 0}});
+  const double h = 1e-3;
+  const auto laplacian = [&](const Vec3& x) {
+    double sum = -4.0 * panel.logarithmInPlane(x);
+    for (const Vec3& step : {Vec3(h, 0, 0), Vec3(0, h, 0)}) {
+      sum += panel.logarithmInPlane(x + step) + panel.logarithmInPlane(x - step);
+    }
+    return sum / (h * h);
+  };
+  // Truncation h²/12 times fourth derivatives of order 10; round-off 1e-16·4/h² = 4e-10.
+  EXPECT_NEAR(laplacian(panel.centroid()), 2.0 * kPi, 1e-5);
+  EXPECT_NEAR(laplacian({0.7, 0.2, 0}), 2.0 * kPi, 1e-5);
+  EXPECT_NEAR(laplacian({2.5, 0.4, 0}), 0.0, 1e-5);
+  EXPECT_NEAR(laplacian({-1.0, 3.0, 0}), 0.0, 1e-5);
+}
+
 TEST(RankineIntegralsIdentity, GradientIsTheDerivativeOfThePotential) {
   std::mt19937 random(1);
   const double h = 1e-4;
