@@ -1,0 +1,11 @@
+#pragma once
+#include "hydro/geometry/SurfaceMesh.h"
+
+namespace cutwater {
+
+/// Adds a polygon, counter-clockwise about its normal, to a mesh that holds its vertices: three
+/// corners or a convex quadrilateral as one face, anything else as triangles by clipping ears in
+/// the plane of its vector area. O(corners²). Not installed; used by MeshIO.cpp.
+void addPolygon(SurfaceMesh& mesh, const std::vector<int>& corners);
+
+}  // namespace cutwater
