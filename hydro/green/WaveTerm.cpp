@@ -10,7 +10,7 @@
 namespace cutwater {
 namespace {
 
-using namespace waveTables;
+using namespace wave_tables;
 constexpr double kPi = std::numbers::pi;
 
 struct Bessel {

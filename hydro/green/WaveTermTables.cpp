@@ -5,7 +5,7 @@
 
 #include "hydro/green/WaveTermOracle.h"
 
-namespace cutwater::waveTables {
+namespace cutwater::wave_tables {
 namespace {
 
 // Interpolation at the N zeros of Chebyshev's T_N on [−1, 1], turned into powers by way of the
@@ -157,4 +157,4 @@ const Tables& tables() {
   return built;
 }
 
-}  // namespace cutwater::waveTables
+}  // namespace cutwater::wave_tables

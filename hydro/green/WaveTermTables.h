@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace cutwater::waveTables {
+namespace cutwater::wave_tables {
 
 // Polynomials in cells, read by WaveTerm.cpp and filled once from WaveTermOracle.h (about 30 ms).
 // Coefficients are powers of the coordinate that runs from −1 to 1 over a cell, interleaved by
@@ -61,4 +61,4 @@ struct Tables {
 /// Built on the first call; thread-safe, immutable afterwards. 250 kB.
 const Tables& tables();
 
-}  // namespace cutwater::waveTables
+}  // namespace cutwater::wave_tables
