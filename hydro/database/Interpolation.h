@@ -17,8 +17,8 @@ struct LocalCubic {
 LocalCubic localCubic(std::span<const double> nodes, double x);
 
 /// A(ω) at any ω ≥ 0 [rad/s], ω = ∞ included: local cubic through A(0) and the data; beyond the
-/// last frequency Ω the limit is approached as A(∞) + (A(Ω) − A(∞))(Ω/ω)², the leading term of A(ω)
-/// − A(∞) = (1/ω)∫K sin ωτ dτ turned round.
+/// last frequency Ω the limit is approached as A(∞) + (A(Ω) − A(∞))(Ω/ω)², since A(ω) −
+/// A(∞) falls as −K(0)/ω².
 /// @throws HydroError ValueOutOfRange (ω < 0 or NaN), DatabaseIncomplete (no frequencies).
 Mat6 addedMassAt(const Coefficients& coefficients, double omega);
 

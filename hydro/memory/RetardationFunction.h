@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hydro/Conventions.h"
-#include "hydro/database/Coefficients.h"
+#include "hydro/database/CoefficientsFile.h"
 
 namespace cutwater {
 
@@ -73,6 +73,10 @@ class RetardationMatrix {
   /// A(∞) = A(ω) + (1/ω)∫₀^∞ K sin ωτ dτ, symmetrised: the same for every ω > 0 if A, B and the
   /// tail are right.   @param addedMass  A at that ω.
   Mat6 addedMassInf(double omega, const Mat6& addedMass) const;
+
+  /// K at 0, Δτ, 2Δτ, … up to `duration` [s], for the database file.
+  /// @throws HydroError ValueOutOfRange unless 0 < step ≤ duration ≤ 10⁶ step.
+  ImpulseResponse table(double step, double duration) const;
 
   /// T [s] beyond which K is negligible: of every pair no more than 0.1 % of ∫|K| lies beyond it,
   /// measured by √(∫|K_jj| ∫|K_kk|). At most π/Δω, Δω the median step of the data, beyond which

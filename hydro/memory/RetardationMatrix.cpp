@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "hydro/Errors.h"
 #include "hydro/memory/FourierPieces.h"
 #include "hydro/memory/RetardationFunction.h"
 
@@ -102,6 +105,20 @@ Mat6 RetardationMatrix::sineTransform(double omega) const {
 
 Mat6 RetardationMatrix::addedMassInf(double omega, const Mat6& addedMass) const {
   return 0.5 * (addedMass + addedMass.transpose()) + sineTransform(omega) / omega;
+}
+
+ImpulseResponse RetardationMatrix::table(double step, double duration) const {
+  if (!(step > 0.0 && step <= duration && duration <= 1e6 * step)) {
+    throw HydroError(
+        Fault::ValueOutOfRange,
+        fmt::format("RetardationMatrix::table: step {} s for a duration of {} s", step, duration));
+  }
+  const auto last = static_cast<std::size_t>(std::floor(duration / step + 1e-9));
+  ImpulseResponse response{step, {}};
+  for (std::size_t i = 0; i <= last; ++i) {
+    response.values.push_back(at(static_cast<double>(i) * step));
+  }
+  return response;
 }
 
 double RetardationMatrix::findDuration() const {

@@ -1,0 +1,21 @@
+#pragma once
+#include "hydro/database/CoefficientsFile.h"
+#include "hydro/database/Hdf5.h"
+
+/// The root groups of a database file, in the layout that WEC-Sim's BEMIO defines and SEA-Stack
+/// (HydroChrono) reads. Internal to hydro/database.
+///
+/// Stored × factor = dimensional: added mass ρ; damping ρω; K ρ; excitation and its impulse
+/// response ρg; restoring ρg. Waves travel towards wave_dir, counter-clockwise from +x: wave_dir =
+/// −β. Phases are for a crest over the origin of the hull axes, ours for one over G:
+///     X_origin = X_G e^{−ik(x_G cos β − y_G sin β)}
+namespace cutwater {
+
+void writeBemio(hdf5::Writer& writer, const Coefficients& coefficients,
+                const ImpulseResponse& retardation);
+
+/// @param missing  receives what the file does not have and what was taken instead.
+/// @throws HydroError DatabaseIncomplete, FileMalformed, FormatNotSupported.
+Coefficients readBemio(const hdf5::Reader& reader, std::vector<std::string>& missing);
+
+}  // namespace cutwater

@@ -1,0 +1,277 @@
+#include "hydro/database/CutwaterGroup.h"
+
+#include <fmt/format.h>
+
+#include "hydro/Errors.h"
+
+namespace cutwater {
+
+namespace {
+
+using hdf5::Array;
+using hdf5::Shape;
+
+/// Numbers of one field in a row, to be written or to be read back in the same order.
+class Flat {
+ public:
+  explicit Flat(Array array) : array_(std::move(array)) {}
+  std::size_t extent(std::size_t i) const { return array_.shape.at(i); }
+  double next() { return array_.data[at_++]; }
+
+ private:
+  Array array_;
+  std::size_t at_ = 0;
+};
+
+// pack(value, numbers) appends the numbers of one element; unpack takes them back. shapeOf is the
+// element's own shape.
+void pack(double x, std::vector<double>& to) { to.push_back(x); }
+void pack(const Complex& x, std::vector<double>& to) { to.insert(to.end(), {x.real(), x.imag()}); }
+void unpack(double& x, Flat& from) { x = from.next(); }
+void unpack(Complex& x, Flat& from) {
+  const double re = from.next();
+  x = {re, from.next()};
+}
+template <class Derived>
+void pack(const Eigen::MatrixBase<Derived>& m, std::vector<double>& to) {
+  for (Eigen::Index r = 0; r < m.rows(); ++r) {
+    for (Eigen::Index c = 0; c < m.cols(); ++c) pack(m(r, c), to);
+  }
+}
+template <class Derived>
+void unpack(Eigen::MatrixBase<Derived>& m, Flat& from) {
+  for (Eigen::Index r = 0; r < m.rows(); ++r) {
+    for (Eigen::Index c = 0; c < m.cols(); ++c) unpack(m(r, c), from);
+  }
+}
+void pack(const Face& face, std::vector<double>& to) {
+  to.insert(to.end(), face.v.begin(), face.v.end());
+}
+void unpack(Face& face, Flat& from) {
+  for (int& v : face.v) {
+    const double x = from.next();
+    // a damaged index must not overflow; the mesh check then refuses −2
+    v = x >= -1.0 && x < 2e9 && x == static_cast<double>(static_cast<int>(x)) ? static_cast<int>(x)
+                                                                              : -2;
+  }
+}
+template <class T>
+void pack(const std::vector<T>& list, std::vector<double>& to) {
+  for (const T& item : list) pack(item, to);
+}
+
+Shape shapeOf(double) { return {}; }
+Shape shapeOf(const Complex&) { return {2}; }
+Shape shapeOf(const Face&) { return {4}; }
+template <class Derived>
+Shape shapeOf(const Eigen::MatrixBase<Derived>& m) {
+  Shape shape{static_cast<std::size_t>(m.rows())};
+  if (m.cols() != 1) shape.push_back(static_cast<std::size_t>(m.cols()));
+  if (Eigen::NumTraits<typename Derived::Scalar>::IsComplex) shape.push_back(2);
+  return shape;
+}
+template <class T>
+Shape shapeOf(const std::vector<T>& list) {
+  Shape shape = shapeOf(list.empty() ? T() : list.front());
+  shape.insert(shape.begin(), list.size());
+  return shape;
+}
+
+/// Gives `value` the lengths that the file says; elements of fixed size must have theirs.
+template <class T>
+void resize(T&, const Shape&, std::size_t) {}
+void resize(Eigen::Matrix<Complex, 6, Eigen::Dynamic>& m, const Shape& shape, std::size_t level) {
+  m.resize(6, static_cast<Eigen::Index>(shape.at(level + 1)));
+}
+template <class T>
+void resize(std::vector<T>& list, const Shape& shape, std::size_t level) {
+  list.resize(shape.at(level));
+  for (T& item : list) resize(item, shape, level + 1);
+}
+template <class T>
+void unpack(std::vector<T>& list, Flat& from) {
+  for (T& item : list) unpack(item, from);
+}
+
+class GroupWriter {
+ public:
+  explicit GroupWriter(hdf5::Writer& writer) : writer_(writer) {}
+  template <class T>
+  void operator()(const std::string& name, const T& value) {
+    Shape shape = shapeOf(value);
+    if (shape.empty()) shape = {1};
+    std::vector<double> data;
+    pack(value, data);
+    writer_.numbers("cutwater/" + name, shape, data);
+  }
+  void operator()(const std::string& name, const bool& value) { (*this)(name, value ? 1.0 : 0.0); }
+  void operator()(const std::string& name, const std::string& value) {
+    writer_.text("cutwater/" + name, value);
+  }
+
+ private:
+  hdf5::Writer& writer_;
+};
+
+class GroupReader {
+ public:
+  explicit GroupReader(const hdf5::Reader& reader) : reader_(reader) {}
+  template <class T>
+  void operator()(const std::string& name, T& value) {
+    Array array = reader_.numbers("cutwater/" + name);
+    const Shape found = array.shape;
+    std::size_t total = 1;
+    for (std::size_t extent : found) total *= extent;
+    try {
+      // An empty list keeps no shape of its elements; anything else must come back as it is.
+      if (total != 0) resize(value, found, 0);
+      Shape expected = shapeOf(value);
+      if (expected.empty()) expected = {1};
+      if (total != 0 && expected != found) throw std::out_of_range("shape");
+    } catch (const std::out_of_range&) {
+      throw HydroError(Fault::FileMalformed,
+                       fmt::format("{}: cutwater/{} has the wrong shape", reader_.path(), name));
+    }
+    Flat flat(std::move(array));
+    if (total != 0) unpack(value, flat);
+  }
+  void operator()(const std::string& name, bool& value) {
+    double number = 0.0;
+    (*this)(name, number);
+    value = number != 0.0;
+  }
+  void operator()(const std::string& name, std::string& value) {
+    value = reader_.text("cutwater/" + name);
+  }
+
+ private:
+  const hdf5::Reader& reader_;
+};
+
+/// The one list of what is in the group, for writing (const) and for reading.
+template <class Store, class C>
+void transfer(Store&& store, C& c) {
+  auto& ship = c.ship;
+  store("ship/name", ship.name);
+  store("ship/hull/vertices", ship.hull.vertices);
+  store("ship/hull/faces", ship.hull.faces);
+  store("ship/wet_surface/vertices", ship.wetSurface.vertices);
+  store("ship/wet_surface/faces", ship.wetSurface.faces);
+  store("ship/symmetric", ship.symmetric);
+  store("ship/mass", ship.mass);
+  store("ship/cog", ship.cog);
+  store("ship/gyradii", ship.gyradii);
+  store("ship/volume", ship.volume);
+  store("ship/centre_of_buoyancy", ship.centreOfBuoyancy);
+  store("ship/restoring", ship.restoring);
+  store("ship/density", ship.density);
+  store("ship/gravity", ship.gravity);
+  store("ship/supplementary/damping", ship.supplementary.damping);
+  store("ship/supplementary/stiffness", ship.supplementary.stiffness);
+  store("ship/supplementary/roll_damping_quadratic", ship.supplementary.rollDampingQuadratic);
+  store("provenance/code", c.provenance.code);
+  store("provenance/version", c.provenance.version);
+  store("provenance/mesh_hash", c.provenance.meshHash);
+  store("provenance/settings", c.provenance.settings);
+  store("omega", c.omega);
+  store("wave_omega", c.waveOmega);
+  store("added_mass", c.addedMass);
+  store("damping", c.damping);
+  store("added_mass_zero", c.addedMassZero);
+  store("added_mass_inf", c.addedMassInf);
+  store("added_mass_x", c.addedMassX);
+  store("damping_x", c.dampingX);
+  store("added_mass_x_zero", c.addedMassXZero);
+  store("added_mass_x_inf", c.addedMassXInf);
+  store("headings", c.headings);
+  store("froude_krylov", c.froudeKrylov);
+  store("diffraction", c.diffraction);
+  store("adjoint", c.adjoint);
+  store("condition_even", c.conditionEven);
+  store("condition_odd", c.conditionOdd);
+}
+
+/// A store that only looks: every number finite.
+class FiniteCheck {
+ public:
+  explicit FiniteCheck(std::string where) : where_(std::move(where)) {}
+  template <class T>
+  void operator()(const std::string& name, const T& value) {
+    std::vector<double> data;
+    pack(value, data);
+    for (std::size_t i = 0; i < data.size(); ++i) {
+      if (std::isfinite(data[i])) continue;
+      throw HydroError(Fault::ValueOutOfRange,
+                       fmt::format("{}: {} is {} at number {}", where_, name, data[i], i));
+    }
+  }
+  void operator()(const std::string&, const bool&) {}
+  void operator()(const std::string&, const std::string&) {}
+
+ private:
+  std::string where_;
+};
+
+void checkMesh(const SurfaceMesh& mesh, const std::string& where) {
+  const auto count = static_cast<int>(mesh.vertices.size());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const int v = mesh.faces[f].v[i];
+      if ((v >= 0 && v < count) || (i == 3 && v == -1)) continue;
+      throw HydroError(Fault::MeshIndexOutOfRange,
+                       fmt::format("{}: face {} names vertex {} of {}", where, f, v, count));
+    }
+  }
+}
+
+}  // namespace
+
+void writeCutwaterGroup(hdf5::Writer& writer, const Coefficients& coefficients) {
+  transfer(GroupWriter(writer), coefficients);
+}
+
+Coefficients readCutwaterGroup(const hdf5::Reader& reader) {
+  Coefficients coefficients;
+  transfer(GroupReader(reader), coefficients);
+  return coefficients;
+}
+
+void checkCoefficients(const Coefficients& c, const std::string& where) {
+  transfer(FiniteCheck(where), c);
+  const std::size_t n = c.omega.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (c.omega[i] > (i == 0 ? 0.0 : c.omega[i - 1])) continue;
+    throw HydroError(Fault::FrequenciesNotIncreasing,
+                     fmt::format("{}: omega[{}] = {} rad/s", where, i, c.omega[i]));
+  }
+  const auto expect = [&](const char* name, std::size_t found, std::size_t expected,
+                          bool optional) {
+    if (found == expected || (optional && found == 0)) return;
+    throw HydroError(Fault::DatabaseIncomplete, fmt::format("{}: {} has {} entries, {} expected",
+                                                            where, name, found, expected));
+  };
+  if (n == 0) throw HydroError(Fault::DatabaseIncomplete, where + ": no frequencies");
+  expect("added_mass", c.addedMass.size(), n, false);
+  expect("damping", c.damping.size(), n, false);
+  expect("added_mass_x", c.addedMassX.size(), n, true);
+  expect("damping_x", c.dampingX.size(), n, true);
+  expect("adjoint", c.adjoint.size(), n, true);
+  expect("condition_even", c.conditionEven.size(), n, true);
+  expect("condition_odd", c.conditionOdd.size(), n, true);
+  expect("froude_krylov", c.froudeKrylov.size(), c.headings.size(), false);
+  expect("diffraction", c.diffraction.size(), c.headings.size(), false);
+  for (const auto& heading : c.froudeKrylov) expect("froude_krylov", heading.size(), n, false);
+  for (const auto& heading : c.diffraction) expect("diffraction", heading.size(), n, false);
+  for (const auto& b : c.adjoint) {
+    expect("adjoint", static_cast<std::size_t>(b.cols()), c.ship.wetSurface.faces.size(), false);
+  }
+  checkMesh(c.ship.hull, where + ": hull");
+  checkMesh(c.ship.wetSurface, where + ": wet surface");
+  if (!(c.ship.density > 0.0 && c.ship.gravity > 0.0)) {
+    throw HydroError(Fault::ValueOutOfRange,
+                     fmt::format("{}: density {} kg/m3 and gravity {} m/s2 must be > 0", where,
+                                 c.ship.density, c.ship.gravity));
+  }
+}
+
+}  // namespace cutwater
