@@ -1,0 +1,23 @@
+# Installs Cutwater from its build folder into a fresh prefix, builds project/ against it, runs it.
+#   cmake -D BUILD=folder -D WORK=scratch -D PROJECT=folder -D COMPILER=c++ -P consume.cmake
+cmake_minimum_required(VERSION 3.25)
+
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY COMMAND_ECHO STDOUT)
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+foreach(internal green bem/InfluenceMatrices.h)
+  if(EXISTS ${WORK}/prefix/include/cutwater/hydro/${internal})
+    message(SEND_ERROR "hydro/${internal} is no public header, but it was installed")
+  endif()
+endforeach()
+run(${CMAKE_COMMAND} -S ${PROJECT} -B ${WORK}/build -G Ninja -D CMAKE_PREFIX_PATH=${WORK}/prefix
+    -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=Release)
+run(${CMAKE_COMMAND} --build ${WORK}/build)
+# That file alone makes a ship.
+run(${WORK}/build/consumer_solver ${WORK}/sphere.h5)
+foreach(precision float float64)
+  run(${WORK}/build/consumer_${precision} ${WORK}/sphere.h5)
+endforeach()

@@ -1,0 +1,65 @@
+# layers.cmake must refuse what it is there to refuse: plants one wrong include at a time in a small
+# tree, and once a right one of each kind.
+#   cmake -D WORK=scratch folder -P tests/style/layers_refuse.cmake
+cmake_minimum_required(VERSION 3.25)
+set(layers ${CMAKE_CURRENT_LIST_DIR}/../layers.cmake)
+
+# Writes `file` with the one line `#include header` into a fresh tree and sets `refused`.
+function(try file header refused)
+  file(REMOVE_RECURSE ${WORK})
+  foreach(there hydro/Errors.h hydro/geometry/SurfaceMesh.h hydro/waves/Wave.h hydro/green/WaveTerm.h
+                hydro/bem/BuildCoefficients.h hydro/database/Coefficients.h
+                hydro/memory/Convolution.h hydro/forces/RadiationForce.h plugin/Ship.h)
+    file(WRITE ${WORK}/${there} "#pragma once\n")
+  endforeach()
+  file(WRITE ${WORK}/${file} "#include ${header}\n")
+  execute_process(COMMAND ${CMAKE_COMMAND} -D ROOT=${WORK} -P ${layers}
+                  RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)
+  set(${refused} ${result} PARENT_SCOPE)
+endfunction()
+
+function(expect_refused file header)
+  try(${file} ${header} refused)
+  if(NOT refused)
+    message(SEND_ERROR "layers.cmake allowed ${file} to include ${header}")
+  endif()
+endfunction()
+
+function(expect_allowed file header)
+  try(${file} ${header} refused)
+  if(refused)
+    message(SEND_ERROR "layers.cmake refused ${file} to include ${header}")
+  endif()
+endfunction()
+
+expect_refused(hydro/geometry/A.cpp "\"hydro/waves/Wave.h\"")
+expect_refused(hydro/green/A.cpp    "\"hydro/waves/Wave.h\"")
+expect_refused(hydro/database/A.cpp "\"hydro/bem/BuildCoefficients.h\"")
+expect_refused(hydro/memory/A.cpp   "\"hydro/forces/RadiationForce.h\"")
+expect_refused(hydro/forces/A.cpp   "\"hydro/bem/BuildCoefficients.h\"")
+expect_refused(hydro/forces/A.cpp   "\"plugin/Ship.h\"")
+expect_refused(hydro/Errors.h       "\"hydro/geometry/SurfaceMesh.h\"")
+expect_refused(plugin/A.cpp         "\"hydro/bem/BuildCoefficients.h\"")
+expect_refused(plugin/A.cpp         "\"hydro/green/WaveTerm.h\"")
+expect_refused(tests/waves/A.cpp    "\"plugin/Ship.h\"")
+expect_refused(hydro/waves/A.cpp    "\"Wave.h\"")
+expect_refused(hydro/waves/A.cpp    "<btBulletDynamicsCommon.h>")
+expect_refused(hydro/forces/A.cpp   "<BulletDynamics/Dynamics/btRigidBody.h>")
+expect_refused(hydro/geometry/A.cpp "<assimp/scene.h>")
+expect_refused(hydro/memory/A.cpp   "<hdf5.h>")
+expect_refused(hydro/forces/A.cpp   "<lapacke.h>")
+expect_refused(plugin/A.cpp         "<omp.h>")
+expect_refused(hydro/waves/A.cpp    "<boost/math/tools/roots.hpp>")
+
+expect_allowed(hydro/waves/A.cpp         "\"hydro/geometry/SurfaceMesh.h\"")
+expect_allowed(hydro/bem/A.cpp           "\"hydro/green/WaveTerm.h\"")
+expect_allowed(hydro/bem/A.cpp           "<lapacke.h>")
+expect_allowed(hydro/geometry/MeshIO.cpp "<assimp/scene.h>")
+expect_allowed(hydro/database/A.cpp      "<hdf5.h>")
+expect_allowed(plugin/A.cpp              "\"hydro/forces/RadiationForce.h\"")
+expect_allowed(plugin/A.cpp              "<btBulletDynamicsCommon.h>")
+expect_allowed(tests/plugin/A.cpp        "\"plugin/Ship.h\"")
+expect_allowed(demos/A.cpp               "\"hydro/bem/BuildCoefficients.h\"")
+expect_allowed(hydro/green/A.cpp         "<cmath>")
+expect_allowed(hydro/green/A.cpp         "\"hydro/Errors.h\"")
+file(REMOVE_RECURSE ${WORK})
