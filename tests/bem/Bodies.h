@@ -1,0 +1,37 @@
+#pragma once
+#include "hydro/bem/Diffraction.h"
+#include "hydro/geometry/Lid.h"
+#include "hydro/geometry/Shapes.h"
+
+namespace cutwater::test {
+
+/// Panels of a wet surface with its lid, or without.
+inline PanelMesh panels(const SurfaceMesh& wet, bool symmetric, bool lid) {
+  PanelMesh mesh = makePanels(wet, symmetric);
+  if (lid) mesh.lid = makeLid(wet, symmetric);
+  return mesh;
+}
+
+/// Port half and starboard half as one hull without symmetry.
+inline SurfaceMesh wholeHull(const SurfaceMesh& port) {
+  return welded(joined(port, mirroredInY(port)), 1e-9 * bounds(port).diagonal());
+}
+
+inline SymmetricSystem<Complex> systemAt(const InfluenceMatrices& matrices, double K) {
+  return {matrices.atWaveNumber(K), matrices.parities()};
+}
+
+inline SymmetricSystem<double> systemAt(const InfluenceMatrices& matrices, FrequencyLimit limit) {
+  std::array<InfluencePair<double>, 2> pairs;
+  for (int p = 0; p < matrices.parities(); ++p)
+    pairs[static_cast<std::size_t>(p)] = matrices.atLimit(limit, static_cast<Parity>(p));
+  return {std::move(pairs), matrices.parities()};
+}
+
+/// Z = A − iB/ω of unit density: real part added mass, imaginary part −B/ω.
+template <typename Where>
+auto impulse(const InfluenceMatrices& matrices, const ModeNormals& normals, Where where) {
+  return impulseMatrix(radiationPotentials(systemAt(matrices, where), normals), normals, 1.0);
+}
+
+}  // namespace cutwater::test
