@@ -61,7 +61,6 @@ void pack(const std::vector<T>& list, std::vector<double>& to) {
 }
 
 Shape shapeOf(double) { return {}; }
-Shape shapeOf(const Complex&) { return {2}; }
 Shape shapeOf(const Face&) { return {4}; }
 template <class Derived>
 Shape shapeOf(const Eigen::MatrixBase<Derived>& m) {
