@@ -1,0 +1,68 @@
+#pragma once
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+
+#include <random>
+#include <string>
+
+#include "plugin/BulletTypes.h"
+
+/// What the plugin's tests share. All of it is compiled once for each precision of Bullet.
+namespace cutwater::test {
+
+/// True in the build for Bullet in double precision.
+inline constexpr bool kDouble = sizeof(btScalar) == sizeof(double);
+/// One unit in the last place of a velocity of 1 m/s as Bullet stores it.
+inline constexpr double kEpsilon = std::numeric_limits<btScalar>::epsilon();
+/// For names of results: which Bullet.
+inline std::string withPrecision(const std::string& quantity) {
+  return quantity + (kDouble ? ", double Bullet" : ", float Bullet");
+}
+
+/// A stock discrete world without gravity.
+struct TestWorld {
+  explicit TestWorld(double gravity = 0.0) {
+    world.setGravity(btVector3(0, 0, static_cast<btScalar>(-gravity)));
+  }
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher{&configuration};
+  btDbvtBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+};
+
+/// Linear and angular velocity in E.
+inline Vec6 velocityOf(const btRigidBody& body) {
+  Vec6 v;
+  v << fromBullet(body.getLinearVelocity()), fromBullet(body.getAngularVelocity());
+  return v;
+}
+
+/// diag(R, R): turns six-vectors from body axes to E.
+inline Mat6 turning(const btRigidBody& body) {
+  Mat6 turn = Mat6::Zero();
+  const Mat3 r = fromBullet(body.getWorldTransform().getBasis());
+  turn.topLeftCorner<3, 3>() = r;
+  turn.bottomRightCorner<3, 3>() = r;
+  return turn;
+}
+
+/// A in body axes as seen from E.
+inline Mat6 inEarth(const Mat6& a, const btRigidBody& body) {
+  return turning(body) * a * turning(body).transpose();
+}
+
+/// Symmetric A with A x = l M x for random directions and the six given l.
+inline Mat6 randomAddedMass(const Mat6& mass, const Vec6& ratios, std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  const Mat6 any = Mat6::NullaryExpr([&] { return normal(random); });
+  const Mat6 q = any.householderQr().householderQ();
+  const Mat6 root = mass.cwiseSqrt();
+  return root * q * ratios.asDiagonal() * q.transpose() * root;
+}
+
+inline Vec6 randomVector(std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  return Vec6::NullaryExpr([&] { return normal(random); });
+}
+
+}  // namespace cutwater::test

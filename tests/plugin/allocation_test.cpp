@@ -1,0 +1,60 @@
+// Counts every allocation of this program, ours (operator new) and Bullet's.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "plugin/Recorder.h"
+#include "tests/plugin/TestShip.h"
+#include "tests/plugin/TestWorld.h"
+#include "tests/support/Results.h"
+
+namespace {
+std::atomic<long> allocations{0};
+
+void* counted(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace cutwater::test {
+namespace {
+
+void* countedForBullet(size_t size) {
+  ++allocations;
+  return std::malloc(size);
+}
+
+TEST(Allocation, NoneInATickOnceAllIsWarm) {
+  btAlignedAllocSetCustom(countedForBullet, std::free);
+  {
+    TestWorld world(kSphereGravity);
+    btSphereShape shape(5);
+    const Coefficients coefficients = hemisphere();
+    Seaway seaway(world.world, SeaState({{.omega = 1.0, .amplitude = 0.5, .heading = 2.0}},
+                                        kSphereGravity, 5.0));
+    for (int i = 0; i < 5; ++i) {
+      seaway.addShip(coefficients, {.x = 64.0 * i, .shape = &shape});
+    }
+    Recorder recorder(seaway, *seaway.ships().front(), {.forces = true});
+    recorder.reserve(1000);
+    const btScalar tick = btScalar(1) / 64;
+    for (int i = 0; i < 10; ++i) world.world.stepSimulation(tick, 1, tick);
+    const long before = allocations;
+    for (int i = 0; i < 500; ++i) world.world.stepSimulation(tick, 1, tick);
+    EXPECT_EQ(allocations - before, 0);
+    recordResult("Plugin", withPrecision("allocations in 500 ticks of 5 ships"), "0",
+                 static_cast<double>(allocations - before), "0");
+  }
+  btAlignedAllocSetCustom(nullptr, nullptr);
+}
+
+}  // namespace
+}  // namespace cutwater::test
