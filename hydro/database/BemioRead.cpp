@@ -159,7 +159,10 @@ class BemioReader {
 
   void readExcitation() {
     c_.headings = file_.numbers(std::string(kParameters) + "wave_dir").data;
-    for (double& heading : c_.headings) heading = -heading * kPi / 180.0;
+    for (double& heading : c_.headings) {
+      const double degrees = std::remainder(-heading, 360.0);
+      heading = (degrees <= -180.0 ? 180.0 : degrees) * kPi / 180.0;
+    }
     const std::string group = kExcitation;
     const auto total = excitation(group);
     if (total.empty()) malformed("excitation/re or im is missing or not finite");

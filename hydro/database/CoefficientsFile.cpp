@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <fstream>
 
 #include "hydro/Errors.h"
 #include "hydro/database/BemioLayout.h"
@@ -17,6 +19,48 @@ namespace {
 constexpr const char* kGroup = "cutwater";
 constexpr const char* kVersion = "format_version";
 constexpr const char* kChecksum = "checksum";
+
+// The seal: these letters and 16 hex digits behind the end of the HDF5 file, which HDF5 does not
+// look at. It is checked before HDF5 sees the file, because HDF5 1.10 can crash on damaged
+// metadata.
+constexpr std::string_view kSeal = "cutwater";
+constexpr std::streamoff kSealLength = 8 + 16;
+
+/// FNV-1a of the first `length` bytes.
+std::string hashOfBytes(std::ifstream& file, std::streamoff length) {
+  hdf5::Fnv hash;
+  std::vector<char> block(1 << 16);
+  file.seekg(0);
+  while (length > 0) {
+    const auto n = std::min(length, static_cast<std::streamoff>(block.size()));
+    if (!file.read(block.data(), n)) return {};
+    hash.add(block.data(), static_cast<std::size_t>(n));
+    length -= n;
+  }
+  return hash.digits();
+}
+
+void seal(const std::string& path, const std::string& label) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const std::string hash = hashOfBytes(file, file.tellg());
+  std::ofstream out(path, std::ios::binary | std::ios::app);
+  out << kSeal << hash << std::flush;
+  if (hash.empty() || !out) {
+    throw HydroError(Fault::FileNotWritable, label + ": writing its seal failed (disk full?)");
+  }
+}
+
+/// A file without a seal passes: another code's, or one that another program wrote to.
+void checkSeal(const std::string& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const std::streamoff length = file ? static_cast<std::streamoff>(file.tellg()) - kSealLength : -1;
+  std::string found(static_cast<std::size_t>(kSealLength), ' ');
+  if (length < 0 || !file.seekg(length) || !file.read(found.data(), kSealLength)) return;
+  if (found.compare(0, kSeal.size(), kSeal) != 0) return;
+  if (found.substr(kSeal.size()) != hashOfBytes(file, length)) {
+    throw HydroError(Fault::FileMalformed, path + ": damaged since it was written (seal broken)");
+  }
+}
 
 /// A name beside the final one; the file is removed unless it was moved there.
 class TemporaryFile {
@@ -81,10 +125,12 @@ void writeCoefficients(const Coefficients& coefficients, const std::string& path
   writer.attribute(kGroup, kVersion, kFormatVersion);
   writer.attribute(kGroup, kChecksum, hdf5::contentHash(writer.file()));
   writer.close();
+  seal(temporary.name(), path);
   temporary.moveIntoPlace();
 }
 
 Coefficients readCoefficients(const std::string& path, std::string* warning) {
+  checkSeal(path);
   const hdf5::Reader reader(path);
   std::vector<std::string> missing;
   Coefficients coefficients = reader.has(kGroup) ? readOwn(reader) : readBemio(reader, missing);

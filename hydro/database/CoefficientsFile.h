@@ -14,8 +14,9 @@ struct ImpulseResponse {
 };
 
 /// Writes a ship's database, HDF5: root groups in the layout of BEMIO, for WEC-Sim and SEA-Stack
-/// (HydroChrono); all of `coefficients`, to the last bit, in the group /cutwater, with a format
-/// version and a checksum over every dataset of the file.
+/// (HydroChrono); all of `coefficients`, to the last bit, in the group /cutwater, with a
+/// format version and a checksum over every dataset. Behind the end of the HDF5 file stands a seal
+/// of 24 bytes, a checksum of the file as a whole; HDF5 programs do not see it.
 ///
 /// Written under a temporary name in the same folder, synced and renamed: at any instant `path`
 /// holds the old file or the new one, whole. On failure nothing is left behind.

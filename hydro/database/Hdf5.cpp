@@ -25,18 +25,6 @@ Quiet::~Quiet() {
 
 namespace {
 
-class Fnv {
- public:
-  void add(const void* bytes, std::size_t n) noexcept {
-    const auto* byte = static_cast<const unsigned char*>(bytes);
-    for (std::size_t i = 0; i < n; ++i) hash_ = (hash_ ^ byte[i]) * 0x100000001b3ull;
-  }
-  std::uint64_t value() const noexcept { return hash_; }
-
- private:
-  std::uint64_t hash_ = 0xcbf29ce484222325ull;
-};
-
 herr_t collect(hid_t, const char* name, const H5L_info_t*, void* names) {
   try {
     static_cast<std::vector<std::string>*>(names)->emplace_back(name);
@@ -72,6 +60,13 @@ bool addObject(hid_t file, const std::string& name, Fnv& hash) {
 
 }  // namespace
 
+void Fnv::add(const void* bytes, std::size_t n) noexcept {
+  const auto* byte = static_cast<const unsigned char*>(bytes);
+  for (std::size_t i = 0; i < n; ++i) hash_ = (hash_ ^ byte[i]) * 0x100000001b3ull;
+}
+
+std::string Fnv::digits() const { return fmt::format("{:016x}", hash_); }
+
 std::string contentHash(hid_t file) {
   std::vector<std::string> names;
   if (H5Lvisit(file, H5_INDEX_NAME, H5_ITER_INC, collect, &names) < 0) return {};
@@ -79,7 +74,7 @@ std::string contentHash(hid_t file) {
   for (const std::string& name : names) {
     if (!addObject(file, name, hash)) return {};
   }
-  return fmt::format("{:016x}", hash.value());
+  return hash.digits();
 }
 
 }  // namespace cutwater::hdf5

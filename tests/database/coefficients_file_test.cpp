@@ -1,0 +1,364 @@
+#include <gtest/gtest.h>
+#include <hdf5.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "hydro/Errors.h"
+#include "hydro/database/CoefficientsFile.h"
+#include "tests/database/SampleShip.h"
+
+namespace cutwater {
+namespace {
+
+namespace fs = std::filesystem;
+using test::sampleShip;
+
+/// A folder of the test's own, removed at its end.
+class CoefficientsFile : public testing::Test {
+ protected:
+  CoefficientsFile() {
+    std::string name = (fs::temp_directory_path() / "cutwater_test_XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~CoefficientsFile() override { fs::remove_all(folder_); }
+  std::string path(const std::string& name = "ship.h5") const { return (folder_ / name).string(); }
+  std::size_t files() const {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+  /// The fault that reading raises; its message must be one line that names the file.
+  Fault faultOf(const std::string& file) const {
+    try {
+      readCoefficients(file);
+    } catch (const HydroError& error) {
+      const std::string what = error.what();
+      EXPECT_EQ(what.find(file), 0u) << what;
+      EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+      return error.fault();
+    }
+    ADD_FAILURE() << file << " was accepted";
+    return Fault::BadArgument;
+  }
+  fs::path folder_;
+};
+
+std::string bytesOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void put(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+/// Removes or changes things in a file as another program would.
+class Edit {
+ public:
+  explicit Edit(const std::string& path)
+      : file_(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT)) {}
+  Edit(const Edit&) = delete;
+  Edit& operator=(const Edit&) = delete;
+  ~Edit() { H5Fclose(file_); }
+  void remove(const char* name) { EXPECT_GE(H5Ldelete(file_, name, H5P_DEFAULT), 0) << name; }
+  void set(const char* name, double value) {  // every number of a dataset
+    const hid_t set = H5Dopen2(file_, name, H5P_DEFAULT), space = H5Dget_space(set);
+    const std::vector<double> data(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)),
+                                   value);
+    EXPECT_GE(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()), 0);
+    H5Sclose(space);
+    H5Dclose(set);
+  }
+  void newNumbers(const char* name, std::vector<hsize_t> shape, double value) {
+    const hid_t space = H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr);
+    const hid_t set =
+        H5Dcreate2(file_, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    H5Dclose(set);
+    H5Sclose(space);
+    if (value != 0.0) this->set(name, value);
+  }
+  void version(std::int64_t value) {
+    const hid_t group = H5Gopen2(file_, "cutwater", H5P_DEFAULT);
+    const hid_t attribute = H5Aopen(group, "format_version", H5P_DEFAULT);
+    EXPECT_GE(H5Awrite(attribute, H5T_NATIVE_INT64, &value), 0);
+    H5Aclose(attribute);
+    H5Gclose(group);
+  }
+
+ private:
+  hid_t file_;
+};
+
+template <class T>
+bool sameBits(const T& a, const T& b) {
+  return a.size() == b.size() &&
+         std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof a.data()[0]) ==
+             0;
+}
+template <class T>
+bool sameBits(const std::vector<std::vector<T>>& a, const std::vector<std::vector<T>>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!sameBits(a[i], b[i])) return false;
+  }
+  return true;
+}
+
+void expectSame(const Coefficients& a, const Coefficients& b) {
+  EXPECT_EQ(a.ship.name, b.ship.name);
+  EXPECT_TRUE(sameBits(a.ship.hull.vertices, b.ship.hull.vertices));
+  EXPECT_TRUE(sameBits(a.ship.hull.faces, b.ship.hull.faces));
+  EXPECT_TRUE(sameBits(a.ship.wetSurface.vertices, b.ship.wetSurface.vertices));
+  EXPECT_TRUE(sameBits(a.ship.wetSurface.faces, b.ship.wetSurface.faces));
+  EXPECT_EQ(a.ship.symmetric, b.ship.symmetric);
+  EXPECT_EQ(a.ship.mass, b.ship.mass);
+  EXPECT_TRUE(sameBits(a.ship.cog, b.ship.cog));
+  EXPECT_TRUE(sameBits(a.ship.gyradii, b.ship.gyradii));
+  EXPECT_EQ(a.ship.volume, b.ship.volume);
+  EXPECT_TRUE(sameBits(a.ship.centreOfBuoyancy, b.ship.centreOfBuoyancy));
+  EXPECT_TRUE(sameBits(a.ship.restoring, b.ship.restoring));
+  EXPECT_EQ(a.ship.density, b.ship.density);
+  EXPECT_EQ(a.ship.gravity, b.ship.gravity);
+  EXPECT_TRUE(sameBits(a.ship.supplementary.damping, b.ship.supplementary.damping));
+  EXPECT_TRUE(sameBits(a.ship.supplementary.stiffness, b.ship.supplementary.stiffness));
+  EXPECT_EQ(a.ship.supplementary.rollDampingQuadratic, b.ship.supplementary.rollDampingQuadratic);
+  EXPECT_EQ(a.provenance.code, b.provenance.code);
+  EXPECT_EQ(a.provenance.version, b.provenance.version);
+  EXPECT_EQ(a.provenance.meshHash, b.provenance.meshHash);
+  EXPECT_EQ(a.provenance.settings, b.provenance.settings);
+  EXPECT_TRUE(sameBits(a.omega, b.omega));
+  EXPECT_TRUE(sameBits(a.waveOmega, b.waveOmega));
+  EXPECT_TRUE(sameBits(a.addedMass, b.addedMass));
+  EXPECT_TRUE(sameBits(a.damping, b.damping));
+  EXPECT_TRUE(sameBits(a.addedMassZero, b.addedMassZero));
+  EXPECT_TRUE(sameBits(a.addedMassInf, b.addedMassInf));
+  EXPECT_TRUE(sameBits(a.addedMassX, b.addedMassX));
+  EXPECT_TRUE(sameBits(a.dampingX, b.dampingX));
+  EXPECT_TRUE(sameBits(a.addedMassXZero, b.addedMassXZero));
+  EXPECT_TRUE(sameBits(a.addedMassXInf, b.addedMassXInf));
+  EXPECT_TRUE(sameBits(a.headings, b.headings));
+  EXPECT_TRUE(sameBits(a.froudeKrylov, b.froudeKrylov));
+  EXPECT_TRUE(sameBits(a.diffraction, b.diffraction));
+  EXPECT_TRUE(sameBits(a.conditionEven, b.conditionEven));
+  EXPECT_TRUE(sameBits(a.conditionOdd, b.conditionOdd));
+  ASSERT_EQ(a.adjoint.size(), b.adjoint.size());
+  for (std::size_t i = 0; i < a.adjoint.size(); ++i) {
+    EXPECT_TRUE(sameBits(a.adjoint[i], b.adjoint[i]));
+  }
+}
+
+TEST_F(CoefficientsFile, GivesBackEveryBit) {
+  std::string warning = "unset";
+  writeCoefficients(sampleShip(), path());
+  expectSame(sampleShip(), readCoefficients(path(), &warning));
+  EXPECT_EQ(warning, "");
+  EXPECT_EQ(files(), 1u);  // no temporary file
+}
+
+TEST_F(CoefficientsFile, HoldsAShipWithoutTheOptionalParts) {
+  Coefficients c = sampleShip();
+  c.ship.name.clear();
+  c.ship.hull = {};
+  c.provenance.settings.clear();
+  c.addedMassX.clear();
+  c.dampingX.clear();
+  c.adjoint.clear();
+  c.conditionOdd.clear();
+  c.headings.clear();
+  c.froudeKrylov.clear();
+  c.diffraction.clear();
+  c.waveOmega.clear();
+  writeCoefficients(c, path());
+  expectSame(c, readCoefficients(path()));
+}
+
+TEST_F(CoefficientsFile, FailedWriteLeavesTheOldFileAndNothingElse) {
+  writeCoefficients(sampleShip(), path());
+  const std::string before = bytesOf(path());
+  Coefficients bad = sampleShip();
+  bad.damping[2](1, 1) = std::nan("");
+  try {
+    writeCoefficients(bad, path());
+    FAIL() << "NaN was written";
+  } catch (const HydroError& error) {
+    EXPECT_EQ(error.fault(), Fault::ValueOutOfRange);
+    EXPECT_NE(std::string(error.what()).find("damping"), std::string::npos) << error.what();
+  }
+  // Fails late, in the middle of the file.
+  EXPECT_THROW(writeCoefficients(sampleShip(), path(), {0.1, {Mat6::Constant(HUGE_VAL)}}),
+               HydroError);
+  EXPECT_EQ(bytesOf(path()), before);
+  EXPECT_EQ(files(), 1u);
+  EXPECT_THROW(writeCoefficients(sampleShip(), path("no/such/folder.h5")), HydroError);
+  fs::create_directory(path("taken"));  // a folder is in the way: the rename fails
+  EXPECT_THROW(writeCoefficients(sampleShip(), path("taken")), HydroError);
+  EXPECT_EQ(files(), 2u);
+}
+
+// One flipped bit, anywhere in the file, is refused; in the seal's own letters it makes a file
+// without a seal, whose content is checked all the same.
+TEST_F(CoefficientsFile, DamagedFileIsRefused) {
+  writeCoefficients(sampleShip(), path());
+  const std::string whole = bytesOf(path());
+  const std::size_t letters = whole.size() - 24;
+  std::vector<std::size_t> places;
+  for (std::size_t at = 0; at < letters; at += whole.size() / 50) places.push_back(at);
+  for (std::size_t at = letters; at < whole.size(); ++at) places.push_back(at);
+  for (std::size_t at : places) {
+    std::string bytes = whole;
+    bytes[at] = static_cast<char>(bytes[at] ^ (1 << (at % 8)));
+    put(path("damaged.h5"), bytes);
+    if (at >= letters && at < letters + 8) {
+      expectSame(sampleShip(), readCoefficients(path("damaged.h5")));
+    } else {
+      EXPECT_EQ(faultOf(path("damaged.h5")), Fault::FileMalformed) << "byte " << at;
+    }
+  }
+}
+
+TEST_F(CoefficientsFile, TruncatedFileIsRefused) {
+  writeCoefficients(sampleShip(), path());
+  const std::string whole = bytesOf(path());
+  for (std::size_t length :
+       {std::size_t{0}, std::size_t{7}, std::size_t{600}, whole.size() / 2, whole.size() - 25}) {
+    put(path("short.h5"), whole.substr(0, length));
+    EXPECT_EQ(faultOf(path("short.h5")), Fault::FileMalformed) << length;
+  }
+}
+
+TEST_F(CoefficientsFile, ChangedNumberIsRefusedWhereverItStands) {
+  for (const char* name :
+       {"cutwater/omega", "cutwater/ship/mass", "body1/hydro_coeffs/added_mass/all",
+        "body1/hydro_coeffs/excitation/components/re/1_1"}) {
+    writeCoefficients(sampleShip(), path());
+    Edit(path()).set(name, 1.5);
+    EXPECT_EQ(faultOf(path()), Fault::FileMalformed) << name;
+  }
+}
+
+TEST_F(CoefficientsFile, NewerVersionIsRefused) {
+  writeCoefficients(sampleShip(), path());
+  Edit(path()).version(2);
+  EXPECT_EQ(faultOf(path()), Fault::VersionNotSupported);
+}
+
+TEST_F(CoefficientsFile, MissingFileAndOtherFilesAreRefused) {
+  EXPECT_EQ(faultOf(path("none.h5")), Fault::FileNotReadable);
+  EXPECT_EQ(faultOf(folder_.string()), Fault::FileNotReadable);
+  put(path("text.h5"), "omega,A,B\n");
+  EXPECT_EQ(faultOf(path("text.h5")), Fault::FileMalformed);
+  H5Fclose(H5Fcreate(path("empty.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+  EXPECT_EQ(faultOf(path("empty.h5")), Fault::FormatNotSupported);
+}
+
+double largestDifference(const std::vector<Mat6>& a, const std::vector<Mat6>& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    largest = std::max(largest, (a[i] - b[i]).cwiseAbs().maxCoeff() / a[i].cwiseAbs().maxCoeff());
+  }
+  return largest;
+}
+
+// The way through BEMIO and back divides and multiplies by ρ, ρω, ρg and a phase: round-off
+// remains.
+TEST_F(CoefficientsFile, PlainBemioFileGivesTheSameShipAtZeroSpeed) {
+  const Coefficients c = sampleShip();
+  writeCoefficients(c, path());
+  Edit(path()).remove("cutwater");
+  std::string warning;
+  const Coefficients back = readCoefficients(path(), &warning);
+  EXPECT_EQ(warning.find(path()), 0u);
+  EXPECT_EQ(warning.find('\n'), std::string::npos);
+  for (const char* word : {"hull", "gyradii", "A(0)", "adjoint"}) {
+    EXPECT_NE(warning.find(word), std::string::npos) << warning;
+  }
+  EXPECT_LT(largestDifference(c.addedMass, back.addedMass), 1e-15);
+  EXPECT_LT(largestDifference(c.damping, back.damping), 1e-15);
+  EXPECT_LT((c.addedMassInf - back.addedMassInf).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((c.ship.restoring - back.ship.restoring).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_EQ(back.ship.mass, c.ship.density * c.ship.volume);
+  EXPECT_EQ(back.addedMassZero, back.addedMass.front());
+  const std::vector<std::size_t> order{3, 0, 1, 2};  // by β
+  ASSERT_EQ(back.headings.size(), 4u);
+  for (std::size_t h = 0; h < 4; ++h) {
+    const double turn = back.headings[h] - c.headings[order[h]];
+    EXPECT_NEAR(std::remainder(turn, 2.0 * kPi), 0.0, 1e-14);
+  }
+}
+
+TEST_F(CoefficientsFile, PlainBemioFileGivesTheSameExcitation) {
+  const Coefficients c = sampleShip();
+  writeCoefficients(c, path());
+  Edit(path()).remove("cutwater");
+  const Coefficients back = readCoefficients(path());
+  for (std::size_t h = 0; h < 4; ++h) {
+    std::size_t same = 0;
+    while (std::abs(std::remainder(back.headings[h] - c.headings[same], 2.0 * kPi)) > 1e-9) ++same;
+    for (std::size_t i = 0; i < c.omega.size(); ++i) {
+      const double scale = 1e-14 * c.froudeKrylov[same][i].norm();
+      EXPECT_LT((back.froudeKrylov[h][i] - c.froudeKrylov[same][i]).norm(), scale);
+      EXPECT_LT((back.diffraction[h][i] - c.diffraction[same][i]).norm(), 10.0 * scale);
+    }
+  }
+}
+
+TEST_F(CoefficientsFile, ForeignTrapsAreMet) {
+  const Coefficients c = sampleShip();
+  writeCoefficients(c, path());
+  {
+    Edit edit(path());
+    edit.remove("cutwater");
+    // Froude-Krylov not computed: NaN.  Depth in metres: k h = 0.05 at the lowest frequency.
+    edit.set("body1/hydro_coeffs/excitation/froude-krylov/re", std::nan(""));
+    edit.set("body1/hydro_coeffs/excitation/scattering/re", std::nan(""));
+    edit.remove("simulation_parameters/water_depth");
+    edit.newNumbers("simulation_parameters/water_depth", {1, 1}, 50.0);
+    // Two bodies: 12 columns; body 1's own are the first six.
+    edit.remove("body1/hydro_coeffs/added_mass/inf_freq");
+    edit.newNumbers("body1/hydro_coeffs/added_mass/inf_freq", {6, 12}, 2.0);
+    edit.newNumbers("body2", {1, 1}, 1.0);
+  }
+  std::string warning;
+  const Coefficients back = readCoefficients(path(), &warning);
+  EXPECT_EQ(back.addedMassInf, Mat6::Constant(2.0 * c.ship.density));
+  for (const char* word : {"Froude-Krylov", "water depth 50 m", "body1 alone"}) {
+    EXPECT_NE(warning.find(word), std::string::npos) << warning;
+  }
+  const CVec6 total = back.froudeKrylov[0][1] + back.diffraction[0][1];
+  EXPECT_LT((total - c.froudeKrylov[3][1] - c.diffraction[3][1]).norm(), 1e-13 * total.norm());
+}
+
+TEST_F(CoefficientsFile, ForeignFilesThatCannotBeRightAreRefused) {
+  const auto faultAfter = [&](auto&& change) {
+    writeCoefficients(sampleShip(), path());
+    {
+      Edit edit(path());
+      edit.remove("cutwater");
+      change(edit);
+    }
+    return faultOf(path());
+  };
+  const char* mass = "body1/hydro_coeffs/added_mass/all";
+  EXPECT_EQ(faultAfter([](Edit& e) { e.set("simulation_parameters/scaled", 1.0); }),
+            Fault::FormatNotSupported);
+  EXPECT_EQ(faultAfter([&](Edit& e) { e.set(mass, std::nan("")); }), Fault::ValueOutOfRange);
+  EXPECT_EQ(faultAfter([](Edit& e) { e.set("simulation_parameters/w", 1.0); }),
+            Fault::FrequenciesNotIncreasing);
+  EXPECT_EQ(faultAfter([&](Edit& e) { e.remove(mass); }), Fault::DatabaseIncomplete);
+  EXPECT_EQ(faultAfter([&](Edit& e) {
+              e.remove(mass);
+              e.newNumbers(mass, {6, 6, 4}, 1.0);
+            }),
+            Fault::FileMalformed);
+  // More numbers than the file holds: refused before anything is allocated.
+  EXPECT_EQ(faultAfter([&](Edit& e) {
+              e.remove("simulation_parameters/w");
+              e.newNumbers("simulation_parameters/w", {hsize_t{1} << 40, 1}, 0.0);
+            }),
+            Fault::FileMalformed);
+}
+
+}  // namespace
+}  // namespace cutwater

@@ -1,0 +1,83 @@
+#include "hydro/database/Interpolation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hydro/Errors.h"
+#include "tests/database/SampleShip.h"
+
+namespace cutwater {
+namespace {
+
+Coefficients sampled(double step, double (*law)(double)) {
+  Coefficients c;
+  for (int i = 1; i <= std::lround(3.0 / step); ++i) {
+    const double w = i * step;
+    c.omega.push_back(w);
+    c.addedMass.push_back(Mat6::Constant(law(w)));
+    c.damping.push_back(Mat6::Constant(w * law(w)));
+    c.adjoint.push_back(Eigen::Matrix<Complex, 6, Eigen::Dynamic>::Constant(6, 3, {law(w), w}));
+  }
+  c.addedMassZero = Mat6::Constant(law(0.0));
+  c.addedMassInf = Mat6::Constant(0.25);
+  return c;
+}
+
+TEST(InterpolationClosedForm, CubicIsMetExactly) {
+  const auto cubic = [](double w) { return 1.0 + w * (2.0 - w * (0.5 + 0.3 * w)); };
+  const Coefficients c = sampled(0.25, cubic);
+  for (double w = 0.0; w <= 3.0; w += 0.07) {
+    EXPECT_NEAR(addedMassAt(c, w)(3, 1), cubic(w), 1e-13);
+    if (w >= 0.25) {
+      EXPECT_NEAR(std::abs(adjointAt(c, w)(5, 2) - Complex(cubic(w), w)), 0.0, 1e-13);
+    }
+  }
+}
+
+TEST(InterpolationConvergence, FourthOrderInFrequencyStep) {
+  const auto law = [](double w) { return std::exp(-w) * std::cos(w); };
+  const auto error = [&](double step) {
+    const Coefficients c = sampled(step, law);
+    double worst = 0.0;
+    for (double w = 0.0; w <= 3.0; w += 0.01) {
+      worst = std::max(worst, std::abs(dampingAt(c, w)(0, 0) - w * law(w)));
+    }
+    return worst;
+  };
+  EXPECT_NEAR(std::log2(error(0.1) / error(0.05)), 4.0, 0.3);
+}
+
+TEST(Interpolation, GoesThroughTheDataAndToTheLimits) {
+  const Coefficients c = test::sampleShip();
+  for (std::size_t i = 0; i < c.omega.size(); ++i) {
+    EXPECT_EQ(addedMassAt(c, c.omega[i]), c.addedMass[i]);
+    EXPECT_EQ(dampingAt(c, c.omega[i]), c.damping[i]);
+    EXPECT_EQ(adjointAt(c, c.omega[i]), c.adjoint[i]);
+  }
+  EXPECT_EQ(addedMassAt(c, 0.0), c.addedMassZero);
+  EXPECT_EQ(addedMassAt(c, HUGE_VAL), c.addedMassInf);
+  EXPECT_EQ(dampingAt(c, 0.0), Mat6::Zero().eval());
+  EXPECT_EQ(dampingAt(c, HUGE_VAL), Mat6::Zero().eval());
+}
+
+TEST(Interpolation, DoesNotGuessBeyondTheData) {
+  const Coefficients c = test::sampleShip();
+  EXPECT_THROW(adjointAt(c, 0.05), HydroError);
+  EXPECT_THROW(adjointAt(c, 1.5), HydroError);
+  EXPECT_THROW(addedMassAt(c, -0.1), HydroError);
+  EXPECT_THROW(dampingAt(c, std::nan("")), HydroError);
+  EXPECT_THROW(adjointAt(Coefficients{}, 1.0), HydroError);
+}
+
+TEST(ShipParticulars, MassMatrixIsThatOfTheGyradii) {
+  ShipParticulars ship;
+  ship.mass = 3.0;
+  ship.gyradii = {1.0, 2.0, 4.0};
+  Vec6 diagonal;
+  diagonal << 3.0, 3.0, 3.0, 3.0, 12.0, 48.0;
+  EXPECT_EQ(ship.massMatrix(), Mat6(diagonal.asDiagonal()));
+}
+
+}  // namespace
+}  // namespace cutwater
