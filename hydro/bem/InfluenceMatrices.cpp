@@ -119,9 +119,8 @@ void InfluenceMatrices::findNearPairs(int source) {
     for (int field = 0; field < all_; ++field) {
       if (!isNear(field, source, m == 1)) continue;
       const Vec3 x = imageInY(panels_[static_cast<std::size_t>(field)].centroid, m == 1);
-      NearPair pair{field, m == 1, nearImage(x, panel)};
-      pair.image.inverse = rankine.at(imageInZ(x)).potential;
-      near_[static_cast<std::size_t>(source)].push_back(pair);
+      near_[static_cast<std::size_t>(source)].push_back(
+          {field, m == 1, nearImage(x, panel, rankine)});
     }
 }
 

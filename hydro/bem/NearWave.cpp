@@ -37,13 +37,14 @@ void addSubdivided(const Vec3& x, const Vec3& image, const Panel& source, int de
 
 }  // namespace
 
-NearImage nearImage(const Vec3& x, const Panel& source) {
+NearImage nearImage(const Vec3& x, const Panel& source, const RankinePanel& rankine) {
   NearImage sum;
   const Vec3 image(x.x(), x.y(), -x.z());
-  const double tiny = 1e-9 * std::sqrt(source.area);
-  if ((image - source.centroid).norm() < tiny) {
-    for (const QuadraturePoint& point : polarQuadrature(source, source.centroid, 10))
-      addLog(x, source.normal, point, sum);
+  sum.inverse = rankine.at(image).potential;
+  const double tiny = 1e-9 * rankine.radius();
+  if (std::abs(x.z()) < tiny && std::abs(source.centroid.z()) < tiny &&
+      source.normal.z() > 1 - 1e-12) {
+    sum.log = rankine.logarithmInPlane(x);
     return sum;
   }
   constexpr int kDeepest = 5;

@@ -2,6 +2,7 @@
 #include <span>
 
 #include "hydro/geometry/PanelQuadrature.h"
+#include "hydro/green/RankineIntegrals.h"
 
 namespace cutwater {
 
@@ -9,13 +10,14 @@ namespace cutwater {
 /// |z + ζ|, R₁ the distance to the mirror image of x in z = 0. None depends on frequency.
 struct NearImage {
   double log = 0.0;            ///< ∫ ln ρ dS [m² ln m]
-  double inverse = 0.0;        ///< ∫ 1/R₁ dS [m], filled by the caller (a Rankine integral)
+  double inverse = 0.0;        ///< ∫ 1/R₁ dS [m]
   double logHorizontal = 0.0;  ///< ∫ n_h·∇_ξ ln ρ dS [m], n_h the horizontal part of the normal
 };
 
-/// log and logHorizontal by Gauss points on quarters of quarters, or in polar coordinates when the
-/// image of x lies on the panel (a lid panel and its own centroid); relative error below 1e-5.
-NearImage nearImage(const Vec3& x, const Panel& source);
+/// Exact where x and the panel are both on z = 0; else `log` and `logHorizontal` by Gauss points on
+/// quarters of quarters of the panel, relative error below 1e-5.
+/// @param rankine of the same panel.
+NearImage nearImage(const Vec3& x, const Panel& source, const RankinePanel& rankine);
 
 /// Wave part g = K F − 2πiK e^{−Y}J₀ of −4πG, integrated over a source panel.
 struct WaveIntegral {

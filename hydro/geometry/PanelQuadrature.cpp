@@ -45,10 +45,30 @@ double jacobian(const Panel& p, double u, double v) {
   return alongU.cross(alongV).dot(p.normal);
 }
 
-Panel withLastCornerSet(const Panel& panel) {
-  Panel quad = panel;
-  if (panel.corners == 3) quad.corner[3] = panel.corner[2];
+void addQuad(const Panel& quad, int n, std::vector<QuadraturePoint>& points) {
+  for (const auto& [u, weightU] : gaussLegendre(n))
+    for (const auto& [v, weightV] : gaussLegendre(n))
+      points.push_back({bilinear(quad, u, v), weightU * weightV * jacobian(quad, u, v)});
+}
+
+Vec3 middle(const Vec3& a, const Vec3& b) { return 0.5 * (a + b); }
+
+/// The panel's plane with other corners.
+Panel withCorners(const Panel& plane, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  Panel quad = plane;
+  quad.corners = 4;
+  quad.corner = {a, b, c, d};
+  quad.centroid = bilinear(quad, 0.5, 0.5);  // of a parallelogram; only its neighbourhood matters
+  quad.area = jacobian(quad, 0.5, 0.5);
   return quad;
+}
+
+Panel triangle(const Panel& plane, const Vec3& a, const Vec3& b, const Vec3& c) {
+  Panel part = withCorners(plane, a, b, c, c);
+  part.corners = 3;
+  part.centroid = (a + b + c) / 3.0;
+  part.area = 0.25 * plane.area;
+  return part;
 }
 
 }  // namespace
@@ -59,42 +79,32 @@ const std::vector<std::pair<double, double>>& gaussLegendre(int n) {
 }
 
 std::vector<QuadraturePoint> panelQuadrature(const Panel& panel, int n) {
-  const Panel quad = withLastCornerSet(panel);
   std::vector<QuadraturePoint> points;
-  points.reserve(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
-  for (const auto& [u, weightU] : gaussLegendre(n))
-    for (const auto& [v, weightV] : gaussLegendre(n))
-      points.push_back({bilinear(quad, u, v), weightU * weightV * jacobian(quad, u, v)});
-  return points;
-}
-
-std::vector<QuadraturePoint> polarQuadrature(const Panel& panel, const Vec3& apex, int n) {
-  std::vector<QuadraturePoint> points;
-  for (int i = 0; i < panel.corners; ++i) {
-    const Vec3 a = panel.corner[static_cast<std::size_t>(i)] - apex;
-    const Vec3 b = panel.corner[static_cast<std::size_t>((i + 1) % panel.corners)] - apex;
-    const double twiceArea = a.cross(b).dot(panel.normal);
-    for (const auto& [s, weightS] : gaussLegendre(n))
-      for (const auto& [t, weightT] : gaussLegendre(n))
-        points.push_back({apex + s * (a + t * (b - a)), twiceArea * s * weightS * weightT});
+  points.reserve(static_cast<std::size_t>((panel.corners == 3 ? 3 : 1) * n * n));
+  const auto& c = panel.corner;
+  if (panel.corners == 3) {
+    const Vec3 ab = middle(c[0], c[1]), bc = middle(c[1], c[2]), ca = middle(c[2], c[0]);
+    const Vec3 centre = (c[0] + c[1] + c[2]) / 3.0;
+    addQuad(withCorners(panel, c[0], ab, centre, ca), n, points);
+    addQuad(withCorners(panel, c[1], bc, centre, ab), n, points);
+    addQuad(withCorners(panel, c[2], ca, centre, bc), n, points);
+  } else {
+    addQuad(panel, n, points);
   }
   return points;
 }
 
 std::array<Panel, 4> quarters(const Panel& panel) {
-  const Panel quad = withLastCornerSet(panel);
-  std::array<Panel, 4> parts;
-  for (int i = 0; i < 4; ++i) {
-    const double u = 0.5 * (i % 2), v = 0.5 * (i / 2);
-    Panel& part = parts[static_cast<std::size_t>(i)];
-    part = quad;
-    part.corners = 4;
-    part.corner = {bilinear(quad, u, v), bilinear(quad, u + 0.5, v),
-                   bilinear(quad, u + 0.5, v + 0.5), bilinear(quad, u, v + 0.5)};
-    part.centroid = bilinear(quad, u + 0.25, v + 0.25);
-    part.area = 0.25 * jacobian(quad, u + 0.25, v + 0.25);
+  const auto& c = panel.corner;
+  const Vec3 ab = middle(c[0], c[1]), bc = middle(c[1], c[2]);
+  if (panel.corners == 3) {
+    const Vec3 ca = middle(c[2], c[0]);
+    return {triangle(panel, c[0], ab, ca), triangle(panel, ab, c[1], bc),
+            triangle(panel, ca, bc, c[2]), triangle(panel, bc, ca, ab)};
   }
-  return parts;
+  const Vec3 cd = middle(c[2], c[3]), da = middle(c[3], c[0]), centre = middle(ab, cd);
+  return {withCorners(panel, c[0], ab, centre, da), withCorners(panel, ab, c[1], bc, centre),
+          withCorners(panel, centre, bc, c[2], cd), withCorners(panel, da, centre, cd, c[3])};
 }
 
 }  // namespace cutwater

@@ -15,15 +15,12 @@ struct QuadraturePoint {
   double weight;  ///< [m²]; all weights of a panel sum to its area
 };
 
-/// n × n Gauss points on a flat panel by its bilinear map; a triangle is the quadrilateral whose
-/// last two corners coincide. Exact for polynomials of degree 2n − 2 in x on parallelograms.
+/// n × n Gauss points on a flat quadrilateral by its bilinear map; a triangle is three
+/// quadrilaterals about its centroid, so that the points do not depend on which corner is the
+/// first.
 std::vector<QuadraturePoint> panelQuadrature(const Panel& panel, int n);
 
-/// n × n points on each triangle (apex, edge) of a convex panel, dense at `apex`, a point of the
-/// panel: the area element cancels a 1/r there, and a logarithm costs one order.
-std::vector<QuadraturePoint> polarQuadrature(const Panel& panel, const Vec3& apex, int n);
-
-/// The four quarters of a panel: corners, edge mid-points and the image of the map's centre.
+/// The four quarters of a panel, cut at the mid-points of its edges.
 std::array<Panel, 4> quarters(const Panel& panel);
 
 }  // namespace cutwater

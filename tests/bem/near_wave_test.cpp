@@ -1,0 +1,75 @@
+#include <gtest/gtest.h>
+
+#include "tests/bem/Bodies.h"
+
+// The split wave term near the image of a panel against plain brute force.
+namespace cutwater::test {
+namespace {
+
+Panel quad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  SurfaceMesh mesh{{a, b, c, d}, {Face{{0, 1, 2, 3}}}};
+  return makePanels(mesh, false).panels[0];
+}
+
+/// The wave part with a panel cut into 4^depth parts of 5 × 5 points.
+WaveIntegral bruteForce(const Vec3& x, const Panel& panel, double K, int depth) {
+  WaveIntegral sum{};
+  if (depth > 0) {
+    for (const Panel& part : quarters(panel)) {
+      const WaveIntegral share = bruteForce(x, part, K, depth - 1);
+      sum.value += share.value;
+      sum.normal += share.normal;
+    }
+    return sum;
+  }
+  for (const QuadraturePoint& point : panelQuadrature(panel, 5)) {
+    const WaveIntegral at = waveAtPoint(x, point.x, panel.normal, K);
+    sum.value += point.weight * at.value;
+    sum.normal += point.weight * at.normal;
+  }
+  return sum;
+}
+
+RankinePanel rankineOf(const Panel& panel) {
+  return RankinePanel(std::span(panel.corner.data(), static_cast<std::size_t>(panel.corners)));
+}
+
+WaveIntegral split(const Vec3& x, const Panel& panel, double K) {
+  return nearWave(x, nearImage(x, panel, rankineOf(panel)), panel.normal, panelQuadrature(panel, 2),
+                  K);
+}
+
+// What is left after the split varies as R ln R over a panel; 2 × 2 points leave a small part of
+// K·size of it: 1e-3 of the whole for panels a quarter of a wave number long (Kh = 0.25).
+TEST(NearWaveConvergence, SplitTermOfAWaterlinePanelAndItsNeighbours) {
+  const Panel wall = quad({0, 0.1, 0}, {0.25, 0, 0}, {0.25, 0, -0.25}, {0, 0.1, -0.25});
+  const double K = 1.0;
+  for (const Vec3& x : {wall.centroid, Vec3(0.4, 0.05, -0.12), Vec3(0.1, -0.1, 0.0)}) {
+    const WaveIntegral exact = bruteForce(x, wall, K, 4), got = split(x, wall, K);
+    EXPECT_LT(std::abs(got.value - exact.value), 1e-3 * std::abs(exact.value));
+    EXPECT_LT(std::abs(got.normal - exact.normal),
+              3e-3 * std::abs(exact.value) * K + 1e-3 * std::abs(exact.normal));
+  }
+}
+
+// In the plane of the lid ρ = r, and ∫∫ ln r over the square of side 2 about its centre is
+// 2 ln 2 − 6 + π.
+TEST(NearWaveClosedForm, LogarithmOverALidPanelAboutItsCentre) {
+  const Panel lid = quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
+  EXPECT_NEAR(nearImage(Vec3::Zero(), lid, rankineOf(lid)).log, 2.0 * std::log(2.0) - 6.0 + kPi,
+              1e-12);
+}
+
+// The quadrature of tilted panels must agree with the exact form of panels on z = 0, from 1e-8
+// below.
+TEST(NearWaveConvergence, QuadratureOfTheLogarithmMeetsTheExactFormOnTheLid) {
+  const Panel lid = quad({1, -1, 0}, {3, -1, 0}, {3, 1, 0}, {1, 1, 0});
+  const RankinePanel rankine = rankineOf(lid);
+  for (const Vec3& x : {Vec3(0, 0, 0), Vec3(0.3, 1.4, 0), Vec3(-1.5, 0.2, 0)}) {
+    const double exact = nearImage(x, lid, rankine).log;
+    EXPECT_NEAR(nearImage(x - Vec3(0, 0, 1e-8), lid, rankine).log, exact, 1e-5 * lid.area);
+  }
+}
+
+}  // namespace
+}  // namespace cutwater::test
