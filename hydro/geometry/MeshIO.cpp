@@ -13,6 +13,7 @@
 
 #include "hydro/Errors.h"
 #include "hydro/geometry/GdfReader.h"
+#include "hydro/geometry/PlyOffReader.h"
 #include "hydro/geometry/Polygons.h"
 
 namespace cutwater {
@@ -23,7 +24,7 @@ constexpr std::size_t kMostFaces = 4'000'000;      // a panel code uses thousand
 constexpr std::size_t kMostCorners = 10'000;       // of one polygon; dividing it is quadratic
 constexpr int kDeepestNode = 200;                  // of a scene's tree
 
-const char* const kAssimpEndings[] = {"obj", "stl", "ply", "gltf", "glb", "off", "dae"};
+const char* const kAssimpEndings[] = {"obj", "stl", "gltf", "glb", "dae"};
 
 [[noreturn]] void malformed(const std::string& path, const std::string& what) {
   throw HydroError(Fault::FileMalformed, path + ": " + what);
@@ -61,32 +62,6 @@ std::string wholeFile(const std::string& path) {
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();
-}
-
-/// PLY and OFF say in their head how much they hold, and the importer allocates before it reads: a
-/// count that exceeds the bytes of the file is refused here.
-void checkCounts(const std::string& path, const std::string& format) {
-  std::ifstream in(path, std::ios::binary);
-  const double size = static_cast<double>(std::filesystem::file_size(path));
-  const auto check = [&](const std::string& name, double count) {
-    if (!(count >= 0) || count > size || count != std::floor(count))
-      malformed(path, "says it holds " + std::to_string(count) + " of '" + name + "' in " +
-                          std::to_string(size) + " bytes");
-  };
-  std::string line;
-  for (int i = 0; i < 1000 && std::getline(in, line) && line.substr(0, 10) != "end_header"; ++i) {
-    std::istringstream words(line);
-    std::string key, name;
-    double a = 0, b = 0;
-    if (format == "ply" && words >> key && key == "element") {
-      if (!(words >> name >> a)) malformed(path, "header line '" + line.substr(0, 60) + "'");
-      check(name, a);
-    } else if (format == "off" && words >> a >> b) {
-      check("vertices", a);
-      check("faces", b);
-      return;
-    }
-  }
 }
 
 class AssimpReader {
@@ -226,12 +201,13 @@ SurfaceMesh readFaces(const std::string& path, bool anyFormat, bool& mirrored) {
     mirrored = gdf.mirrored;
     return gdf.mesh;
   }
+  if (format == "ply") return parsePly(wholeFile(path), path);
+  if (format == "off") return parseOff(wholeFile(path), path);
   if (!isDefault(format) && !anyFormat)
     throw HydroError(Fault::FormatNotSupported,
                      path + ": '." + format +
                          "' is read only with any_format = true; by default: .obj .stl .ply .gltf "
                          ".glb .off .dae .gdf");
-  checkCounts(path, format);
   try {
     return AssimpReader(path, anyFormat).read();
   } catch (const HydroError&) {
