@@ -64,8 +64,12 @@ TEST(MalformedFiles, EachIsRefusedInOneLine) {
   expectRefused(folder.write("b.obj", with(obj, "f ", "f 999 ")), Fault::FileMalformed, "");
   expectRefused(folder.write("b.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 -1\n3 0 1 77\n"),
                 Fault::MeshIndexOutOfRange, "77");
-  expectRefused(folder.write("b.ply", with(test::plyText(hull), "end_header", "end_header\n7 7")),
-                Fault::MeshIndexOutOfRange, "names vertex");
+  expectRefused(folder.write("b.ply",
+                             "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                             "property float y\nproperty float z\nelement face 1\n"
+                             "property list uchar int vertex_index\nend_header\n"
+                             "0 0 0\n1 0 0\n0 1 -1\n3 0 1 77\n"),
+                Fault::MeshIndexOutOfRange, "77");
   expectRefused(
       folder.write("l.ply", "ply\nformat ascii 1.0\nelement vertex 9\nproperty float x\n"),
       Fault::FileMalformed, "end_header");
@@ -97,9 +101,10 @@ TEST(MalformedFiles, GdfFaultsNameTheLine) {
   refuse("t\n1 9.8\n0 0\n-3\n", Fault::FileMalformed, "NPAN is -3");
   refuse("t\n1 9.8\n0 0\n2000000000\n0 0 0\n", Fault::FileMalformed, "NPAN is 2000000000");
   refuse(gdf.substr(0, gdf.size() - 60), Fault::FileMalformed, "the file ends before");
-  refuse(gdf.substr(0, 300) + "\n0 0 abc\n", Fault::FileMalformed, "'abc' is not a number");
-  refuse(gdf.substr(0, 300) + "\n0 nan 0 inf 0 0 nan 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n",
-         Fault::MeshNotFinite, "panel");
+  refuse("t\n1 9.8\n0 0\n1\n0 0 0 1 0 0 1 abc 0 0 0 0\n", Fault::FileMalformed,
+         "line 5: 'abc' is not a number");
+  refuse("t\n1 9.8\n0 0\n1\n0 0 0 1 0 0\n1 nan 0 0 0 0\n", Fault::MeshNotFinite,
+         "line 6: vertex 3 of panel 1");
 }
 
 TEST(MalformedFiles, OptionsAreChecked) {
