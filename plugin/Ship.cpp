@@ -1,12 +1,11 @@
 #include "plugin/Ship.h"
 
-#include <BulletCollision/CollisionShapes/btShapeHull.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "hydro/Errors.h"
+#include "plugin/ShipBody.h"
 
 CUTWATER_PLUGIN_BEGIN
 
@@ -50,37 +49,6 @@ bool stateFinite(const btRigidBody& body) {
   return good;
 }
 
-// Contacts need few points: Bullet's hull of at most some 40 of the mesh's vertices, in B.
-std::unique_ptr<btCollisionShape> convexHull(const ShipParticulars& ship) {
-  const auto& mesh = ship.hull.vertices.empty() ? ship.wetSurface : ship.hull;
-  if (mesh.vertices.empty()) {
-    throw HydroError(Fault::DatabaseIncomplete,
-                     "Seaway::addShip: the database has no hull; give ShipSettings::shape");
-  }
-  btConvexHullShape every;
-  for (const Vec3& vertex : mesh.vertices) every.addPoint(toBullet(vertex - ship.cog), false);
-  if (ship.hull.vertices.empty() && ship.symmetric) {
-    for (const Vec3& v : mesh.vertices) {
-      every.addPoint(toBullet(Vec3(v.x(), -v.y(), v.z()) - ship.cog), false);
-    }
-  }
-  every.recalcLocalAabb();
-  btShapeHull reduced(&every);
-  reduced.buildHull(every.getMargin());
-  auto shape = std::make_unique<btConvexHullShape>();
-  for (int i = 0; i < reduced.numVertices(); ++i) {
-    shape->addPoint(reduced.getVertexPointer()[i], false);
-  }
-  shape->recalcLocalAabb();
-  return shape;
-}
-
-void requirePositive(double value, const char* what) {
-  if (std::isfinite(value) && value > 0.0) return;
-  throw HydroError(Fault::ValueOutOfRange, std::string("Seaway::addShip: ") + what +
-                                               " is not positive: " + std::to_string(value));
-}
-
 }  // namespace
 
 Vec3 eulerAngles(const Mat3& r) noexcept {
@@ -96,11 +64,10 @@ Ship::Ship(btDiscreteDynamicsWorld& world, const Coefficients& coefficients, con
       courseX_(settings.x),
       courseY_(settings.y),
       courseHeading_(settings.heading),
+      restrained_(settings.restrained),
       restoring_(coefficients),
       excitation_(coefficients, sea, settings.heading),
       supplementary_(coefficients.ship.supplementary) {
-  requirePositive(coefficients.ship.mass, "mass");
-  for (int i = 0; i < 3; ++i) requirePositive(coefficients.ship.gyradii[i], "a gyradius");
   if (own != nullptr) {
     adoptBody(*own);
   } else {
@@ -113,7 +80,7 @@ Ship::Ship(btDiscreteDynamicsWorld& world, const Coefficients& coefficients, con
   resetVelocity(fromBullet(body_->getLinearVelocity()), fromBullet(body_->getAngularVelocity()));
   if (ownBody_) world_.addRigidBody(body_);
   world_.addConstraint(addedMass_.get());
-  restrain(settings.restrained);
+  restrain();
 }
 
 Ship::~Ship() {
@@ -123,34 +90,18 @@ Ship::~Ship() {
 }
 
 void Ship::createBody(const ShipSettings& settings) {
-  const ShipParticulars& ship = coefficients_.ship;
-  btCollisionShape* shape = settings.shape;
-  if (shape == nullptr) {
-    hullShape_ = convexHull(ship);
-    shape = hullShape_.get();
-  }
-  const Vec3 inertia = ship.mass * ship.gyradii.cwiseProduct(ship.gyradii);
-  ownBody_ = std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(
-      static_cast<btScalar>(ship.mass), nullptr, shape, toBullet(inertia)));
+  if (settings.shape == nullptr) hullShape_ = convexHull(coefficients_.ship);
+  ownBody_ = makeBody(coefficients_.ship, settings.shape ? *settings.shape : *hullShape_);
   body_ = ownBody_.get();
-  setPose(settings.offset);
+  body_->setCenterOfMassTransform(poseAt(settings.offset));
   const Vec6 velocity =
       rotated(fromBullet(body_->getWorldTransform().getBasis()), settings.velocity);
   body_->setLinearVelocity(toBullet(velocity.head<3>()));
   body_->setAngularVelocity(toBullet(velocity.tail<3>()));
 }
 
-// The coefficients belong to one mass distribution; another would float and roll differently.
 void Ship::adoptBody(btRigidBody& own) {
-  const double mass = coefficients_.ship.mass;
-  if (std::abs(static_cast<double>(own.getInvMass()) * mass - 1.0) > 1e-3) {
-    throw HydroError(Fault::ValueOutOfRange,
-                     "Seaway::addShip: the body's 1/mass " + std::to_string(own.getInvMass()) +
-                         " is not that of the database's mass " + std::to_string(mass));
-  }
-  if (!own.isInWorld()) {
-    throw HydroError(Fault::BadArgument, "Seaway::addShip: add the body to the world first");
-  }
+  requireBodyOf(coefficients_.ship, own);
   body_ = &own;
   const Vec3 at = position();
   courseX_ = at.x();
@@ -159,28 +110,17 @@ void Ship::adoptBody(btRigidBody& own) {
   excitation_ = ExcitationForce(coefficients_, sea_, courseHeading_);
 }
 
-void Ship::setPose(const Vec6& offset) noexcept {
+btTransform Ship::poseAt(const Vec6& offset) const noexcept {
   const Vec3 mean(courseX_, courseY_, coefficients_.ship.cog.z());
   const Mat3 course = rotationZ(courseHeading_);
-  body_->setCenterOfMassTransform(
-      btTransform(toBulletBasis(course * attitudeMatrix(offset.tail<3>())),
-                  toBullet(mean + course * offset.head<3>())));
+  return btTransform(toBulletBasis(course * attitudeMatrix(offset.tail<3>())),
+                     toBullet(mean + course * offset.head<3>()));
 }
 
-// A stock joint to the fixed world, its free axes open (lower limit above the upper one). Made at
-// the mean pose, which so becomes its zero.
-void Ship::restrain(const std::array<bool, 6>& modes) {
-  if (std::none_of(modes.begin(), modes.end(), [](bool held) { return held; })) return;
-  const btTransform start = body_->getWorldTransform();
-  setPose(Vec6::Zero());
-  auto joint = std::make_unique<btGeneric6DofSpring2Constraint>(*body_, btTransform::getIdentity());
-  for (int j = 0; j < 6; ++j) {
-    const bool held = modes[static_cast<std::size_t>(j)];
-    joint->setLimit(j, held ? btScalar(0) : btScalar(1), held ? btScalar(0) : btScalar(-1));
-  }
-  body_->setCenterOfMassTransform(start);
-  world_.addConstraint(joint.get());
-  restraint_ = std::move(joint);
+void Ship::restrain() {
+  if (restraint_) world_.removeConstraint(restraint_.get());
+  restraint_ = makeRestraint(*body_, poseAt(Vec6::Zero()), restrained_);
+  if (restraint_) world_.addConstraint(restraint_.get());
 }
 
 Vec3 Ship::position() const noexcept { return fromBullet(body_->getWorldTransform().getOrigin()); }
@@ -226,19 +166,12 @@ void Ship::resetVelocity(const Vec3& linear, const Vec3& angular) noexcept {
 void Ship::placeAt(double x, double y, double heading, const Vec6& offset) {
   ExcitationForce excitation(coefficients_, sea_, heading);
   excitation_ = std::move(excitation);
-  std::array<bool, 6> held{};
-  if (restraint_) {
-    auto* joint = static_cast<btGeneric6DofSpring2Constraint*>(restraint_.get());
-    for (int j = 0; j < 6; ++j) held[static_cast<std::size_t>(j)] = joint->isLimited(j);
-    world_.removeConstraint(restraint_.get());
-    restraint_.reset();
-  }
   courseX_ = x;
   courseY_ = y;
   courseHeading_ = heading;
-  setPose(offset);
+  body_->setCenterOfMassTransform(poseAt(offset));
   resetVelocity(Vec3::Zero(), Vec3::Zero());
-  restrain(held);
+  restrain();
   if (radiation_) radiation_->memory().reset();
 }
 

@@ -107,8 +107,8 @@ class Ship {
  private:
   void createBody(const ShipSettings& settings);
   void adoptBody(btRigidBody& own);
-  void setPose(const Vec6& offset) noexcept;
-  void restrain(const std::array<bool, 6>& modes);
+  btTransform poseAt(const Vec6& offset) const noexcept;
+  void restrain();
   Mat3 toCourse() const noexcept;
   ShipMotion motionAt(double time) const noexcept;
   void evaluate(const ShipMotion& motion) noexcept;
@@ -124,6 +124,7 @@ class Ship {
   std::unique_ptr<AddedMassConstraint> addedMass_;
   std::unique_ptr<btTypedConstraint> restraint_;
   double courseX_, courseY_, courseHeading_;
+  std::array<bool, 6> restrained_;
 
   RestoringForce restoring_;
   ExcitationForce excitation_;

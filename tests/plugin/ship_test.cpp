@@ -336,6 +336,27 @@ TEST(Ship, AnotherTickLengthRestartsTheMemoryAndSaysSo) {
   EXPECT_EQ(scene.seaway.faults(), kTickLengthChanged);
 }
 
+// The shape of a slender hull reaches as far as the hull itself, plus Bullet's margin.
+TEST(Ship, CollidesOnTheConvexHullOfHerOwnMesh) {
+  Coefficients slender = hemisphere();
+  for (int i = 0; i <= 40; ++i) {
+    for (int j = 0; j < 24; ++j) {
+      const double along = kPi * i / 40, around = 2 * kPi * j / 24;
+      slender.ship.hull.vertices.emplace_back(60 * std::cos(along),
+                                              7 * std::sin(along) * std::cos(around),
+                                              5 * std::sin(along) * std::sin(around));
+    }
+  }
+  TestWorld world(kSphereGravity);
+  Seaway seaway(world.world);
+  const Ship& ship = seaway.addShip(slender);
+  btVector3 low, high;
+  ship.body().getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
+  const Vec3 margin = Vec3::Constant(0.04);
+  EXPECT_LT((fromBullet(low) - (Vec3(-60, -7, -5 + 2) - margin)).norm(), 0.01);
+  EXPECT_LT((fromBullet(high) - (Vec3(60, 7, 5 + 2) + margin)).norm(), 0.01);
+}
+
 TEST(Ship, WithoutHullOrShapeSheIsRefused) {
   TestWorld world(kSphereGravity);
   Seaway seaway(world.world);

@@ -1,0 +1,106 @@
+#include "plugin/ShipBody.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "hydro/Errors.h"
+
+CUTWATER_PLUGIN_BEGIN
+
+namespace {
+
+void requirePositive(double value, const char* what) {
+  if (std::isfinite(value) && value > 0.0) return;
+  throw HydroError(Fault::ValueOutOfRange, std::string("Seaway::addShip: ") + what +
+                                               " is not positive: " + std::to_string(value));
+}
+
+// All vertices in B: of the closed hull, or of the panels where a file has nothing else.
+std::vector<Vec3> hullPoints(const ShipParticulars& ship) {
+  const bool closed = !ship.hull.vertices.empty();
+  std::vector<Vec3> points = closed ? ship.hull.vertices : ship.wetSurface.vertices;
+  if (points.empty()) {
+    throw HydroError(Fault::DatabaseIncomplete,
+                     "Seaway::addShip: the database has no hull; give ShipSettings::shape");
+  }
+  if (!closed && ship.symmetric) {
+    const std::size_t half = points.size();
+    for (std::size_t i = 0; i < half; ++i) {
+      points.emplace_back(points[i].x(), -points[i].y(), points[i].z());
+    }
+  }
+  for (Vec3& point : points) point -= ship.cog;
+  return points;
+}
+
+// Indices of the points that lie farthest out in 124 directions of the bounding box made a cube:
+// along its axes, its diagonals and between.
+std::set<std::size_t> farthest(const std::vector<Vec3>& points, const Vec3& extent) {
+  std::set<std::size_t> chosen;
+  for (int code = 0; code < 125; ++code) {
+    const Vec3 direction =
+        Vec3(code % 5 - 2, code / 5 % 5 - 2, code / 25 - 2).cwiseQuotient(extent);
+    const auto behind = [&](const Vec3& a, const Vec3& b) {
+      return direction.dot(a) < direction.dot(b);
+    };
+    const auto best = std::max_element(points.begin(), points.end(), behind);
+    if (code != 62)
+      chosen.insert(static_cast<std::size_t>(best - points.begin()));  // not (0, 0, 0)
+  }
+  return chosen;
+}
+
+}  // namespace
+
+std::unique_ptr<btCollisionShape> convexHull(const ShipParticulars& ship) {
+  const std::vector<Vec3> points = hullPoints(ship);
+  Vec3 low = points[0], high = points[0];
+  for (const Vec3& point : points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  const Vec3 extent = (high - low).cwiseMax(1e-3);
+  auto shape = std::make_unique<btConvexHullShape>();
+  for (const std::size_t i : farthest(points, extent)) shape->addPoint(toBullet(points[i]), false);
+  shape->recalcLocalAabb();
+  return shape;
+}
+
+std::unique_ptr<btRigidBody> makeBody(const ShipParticulars& ship, btCollisionShape& shape) {
+  requirePositive(ship.mass, "mass");
+  for (int i = 0; i < 3; ++i) requirePositive(ship.gyradii[i], "a gyradius");
+  const Vec3 inertia = ship.mass * ship.gyradii.cwiseProduct(ship.gyradii);
+  return std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(
+      static_cast<btScalar>(ship.mass), nullptr, &shape, toBullet(inertia)));
+}
+
+void requireBodyOf(const ShipParticulars& ship, const btRigidBody& body) {
+  const double mass = 1.0 / static_cast<double>(body.getInvMass());
+  if (!(std::abs(mass - ship.mass) <= 1e-3 * ship.mass)) {
+    throw HydroError(Fault::ValueOutOfRange,
+                     "Seaway::addShip: the body's mass " + std::to_string(mass) +
+                         " kg is not that of the database, " + std::to_string(ship.mass) + " kg");
+  }
+  if (!body.isInWorld()) {
+    throw HydroError(Fault::BadArgument, "Seaway::addShip: add the body to the world first");
+  }
+}
+
+std::unique_ptr<btTypedConstraint> makeRestraint(btRigidBody& body, const btTransform& mean,
+                                                 const std::array<bool, 6>& modes) {
+  if (std::none_of(modes.begin(), modes.end(), [](bool held) { return held; })) return nullptr;
+  const btTransform pose = body.getWorldTransform();
+  body.setCenterOfMassTransform(mean);  // the joint takes it for its zero
+  auto joint = std::make_unique<btGeneric6DofSpring2Constraint>(body, btTransform::getIdentity());
+  body.setCenterOfMassTransform(pose);
+  for (int j = 0; j < 6; ++j) {
+    const bool held = modes[static_cast<std::size_t>(j)];
+    joint->setLimit(j, held ? btScalar(0) : btScalar(1), held ? btScalar(0) : btScalar(-1));
+  }
+  return joint;
+}
+
+CUTWATER_PLUGIN_END
