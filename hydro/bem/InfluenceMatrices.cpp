@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "hydro/green/RankineIntegrals.h"
-#include "hydro/green/WaveTerm.h"
 
 // Signs. Green's second identity in the water, whose outward normal on the hull is −n, for φ and
 // the unit source G = −1/(4πR) + ...: φ(x) + ∫ φ ∂G/∂n_ξ dS = ∫ G v dS off the hull, ½φ(x) on a
@@ -35,6 +34,11 @@ constexpr double kG = -1.0 / (4.0 * kPi);
 /// 1/R₁ there would be off by more than some 1/(24·2²) = 1 %.
 constexpr double kNearRatio = 2.0;
 
+/// Sources longer than this in K·diameter take 2 × 2 Gauss points for the far wave term as well.
+/// One point is off by (K·diameter)²/48 there, 1 %, and a fine mesh never gets this far; a coarse
+/// one does in short waves, where with one point panels of a third of a wave length would resonate.
+constexpr double kOnePointSize = 0.7;
+
 double diameter(const Panel& panel) {
   double size = 0.0;
   for (int i = 0; i < panel.corners; ++i)
@@ -58,7 +62,7 @@ InfluenceMatrices::InfluenceMatrices(PanelMesh mesh, int threads)
   panels_.insert(panels_.end(), mesh_.lid.begin(), mesh_.lid.end());
   for (const Panel& panel : panels_) {
     size_.push_back(diameter(panel));
-    nearPoints_.push_back(panelQuadrature(panel, 2));
+    fourPoints_.push_back(panelQuadrature(panel, 2));
   }
   near_.resize(panels_.size());
   for (int p = 0; p < parities(); ++p) {
@@ -159,39 +163,64 @@ void InfluenceMatrices::addWave(int field, int source, double K, const WaveInteg
   }
 }
 
+void InfluenceMatrices::addFarWaves(double K,
+                                    std::array<InfluencePair<Complex>, 2>& systems) const {
+  const auto onePoint = [&](int panel) {
+    return K * size_[static_cast<std::size_t>(panel)] < kOnePointSize;
+  };
+  for (int j = 0; j < all_; ++j)
+    for (int i = 0; i <= j; ++i)
+      for (int m = 0; m < parities(); ++m) {
+        const bool mirrored = m == 1;
+        if (isNear(i, j, mirrored)) continue;
+        if (onePoint(i) && onePoint(j)) {
+          addFarPair(i, j, mirrored, K, systems);
+        } else {
+          addFarWave(i, j, mirrored, K, systems);
+          if (i != j) addFarWave(j, i, mirrored, K, systems);
+        }
+      }
+}
+
 // The wave term of two centroids serves both directions: it depends on the horizontal distance and
 // on z + ζ only. With mirrored, x_i at −y_i seen from j is the mirror image of x_j at −y_j seen
 // from i.
-void InfluenceMatrices::addFarWaves(double K,
-                                    std::array<InfluencePair<Complex>, 2>& systems) const {
-  constexpr Complex kTwoPiI(0.0, 2.0 * kPi);
-  for (int j = 0; j < all_; ++j) {
-    const Panel& b = panels_[static_cast<std::size_t>(j)];
-    for (int i = 0; i <= j; ++i) {
-      const Panel& a = panels_[static_cast<std::size_t>(i)];
-      const double dx = b.centroid.x() - a.centroid.x();
-      const double Y = -K * (a.centroid.z() + b.centroid.z());
-      for (int m = 0; m < parities(); ++m) {
-        if (isNear(i, j, m == 1)) continue;
-        const double side = m == 1 ? -1.0 : 1.0;
-        const double dyToJ = b.centroid.y() - side * a.centroid.y();
-        const double dyToI = a.centroid.y() - side * b.centroid.y();
-        const double h = std::sqrt(dx * dx + dyToJ * dyToJ);
-        const double perH = h > 0.0 ? 1.0 / h : 0.0;
-        const WaveTerm w = waveTerm(K * h, Y);
-        const Complex value = K * (w.F - kTwoPiI * w.J0);
-        const Complex slope = K * K * (w.FX + kTwoPiI * w.J1);
-        const Complex rise = K * K * (w.FY + kTwoPiI * w.J0);
-        const double alongJ = (b.normal.x() * dx + b.normal.y() * dyToJ) * perH;
-        const double alongI = (a.normal.y() * dyToI - a.normal.x() * dx) * perH;
-        addWave(i, j, K, {b.area * value, b.area * (alongJ * slope - b.normal.z() * rise)}, m == 1,
-                systems);
-        if (i != j)
-          addWave(j, i, K, {a.area * value, a.area * (alongI * slope - a.normal.z() * rise)},
-                  m == 1, systems);
-      }
-    }
-  }
+void InfluenceMatrices::addFarPair(int i, int j, bool mirrored, double K,
+                                   std::array<InfluencePair<Complex>, 2>& systems) const {
+  const Panel &a = panels_[static_cast<std::size_t>(i)], &b = panels_[static_cast<std::size_t>(j)];
+  const Vec3 fromA = b.centroid - imageInY(a.centroid, mirrored);
+  const Vec3 fromB = a.centroid - imageInY(b.centroid, mirrored);
+  const double h = std::sqrt(fromA.x() * fromA.x() + fromA.y() * fromA.y());
+  const double perH = h > 0.0 ? 1.0 / h : 0.0;
+  const WavePoint w(K, K * h, -K * (a.centroid.z() + b.centroid.z()));
+  const auto along = [perH](const Vec3& n, const Vec3& d) {
+    return (n.x() * d.x() + n.y() * d.y()) * perH;
+  };
+  const auto add = [&](int field, int source, const Panel& panel, const Vec3& d) {
+    addWave(field, source, K,
+            {panel.area * w.value,
+             panel.area * (along(panel.normal, d) * w.slope - panel.normal.z() * w.rise)},
+            mirrored, systems);
+  };
+  add(i, j, b, fromA);
+  if (i != j) add(j, i, a, fromB);
+}
+
+void InfluenceMatrices::addFarWave(int field, int source, bool mirrored, double K,
+                                   std::array<InfluencePair<Complex>, 2>& systems) const {
+  const auto s = static_cast<std::size_t>(source);
+  const Vec3 x = imageInY(panels_[static_cast<std::size_t>(field)].centroid, mirrored);
+  WaveIntegral sum{};
+  const auto add = [&](const Vec3& xi, double weight) {
+    const WaveIntegral at = waveAtPoint(x, xi, panels_[s].normal, K);
+    sum.value += weight * at.value;
+    sum.normal += weight * at.normal;
+  };
+  if (K * size_[s] < kOnePointSize)
+    add(panels_[s].centroid, panels_[s].area);
+  else
+    for (const QuadraturePoint& point : fourPoints_[s]) add(point.x, point.weight);
+  addWave(field, source, K, sum, mirrored, systems);
 }
 
 void InfluenceMatrices::addNearWaves(double K,
@@ -201,7 +230,7 @@ void InfluenceMatrices::addNearWaves(double K,
     for (const NearPair& pair : near_[s]) {
       const Vec3 x =
           imageInY(panels_[static_cast<std::size_t>(pair.field)].centroid, pair.mirrored);
-      addWave(pair.field, source, K, nearWave(x, pair.image, panels_[s].normal, nearPoints_[s], K),
+      addWave(pair.field, source, K, nearWave(x, pair.image, panels_[s].normal, fourPoints_[s], K),
               pair.mirrored, systems);
     }
   }

@@ -29,9 +29,10 @@ enum class FrequencyLimit {
 ///     ½φ(x) + ∫ φ ∂G/∂n_ξ dS = ∫ G v dS,   v = ∂φ/∂n
 ///     G = −(1/4π)[1/R + 1/R₁ + K F(X, Y) − 2πiK e^{−Y}J₀(X)],   K = ω²/g
 /// collocated at panel centroids, φ and v constant on each panel. 1/R and 1/R₁ are integrated
-/// exactly, once, for all frequencies; the wave term takes one point of the source panel, except
-/// where the image is near: there its singular part −2 ln((R + Y)/2), whose integral does not
-/// depend on frequency, is split off and integrated once, and the rest takes 2 × 2 Gauss points.
+/// exactly, once, for all frequencies. The wave term takes one point of the source panel, 2 × 2 if
+/// the panel is long compared with the wave; where the image is near, its singular part −2 ln((R +
+/// Y)/2), whose integral does not depend on frequency, is split off and integrated once, and the
+/// rest takes 2 × 2.
 ///
 /// Symmetric hulls, [M03] (57)-(60): port panels only, D_even = D_pp + D_ps, D_odd = D_pp − D_ps.
 ///
@@ -73,6 +74,10 @@ class InfluenceMatrices {
   void computeRankine(int source);
   void findNearPairs(int source);
   void addFarWaves(double K, std::array<InfluencePair<Complex>, 2>& systems) const;
+  void addFarPair(int i, int j, bool mirrored, double K,
+                  std::array<InfluencePair<Complex>, 2>& systems) const;
+  void addFarWave(int field, int source, bool mirrored, double K,
+                  std::array<InfluencePair<Complex>, 2>& systems) const;
   void addNearWaves(double K, std::array<InfluencePair<Complex>, 2>& systems) const;
   void addWave(int field, int source, double K, const WaveIntegral& wave, bool mirrored,
                std::array<InfluencePair<Complex>, 2>& systems) const;
@@ -83,7 +88,7 @@ class InfluenceMatrices {
   std::vector<double> size_;   // diameter of each panel [m]
   std::array<Rankine, 2> rankine_;
   std::vector<std::vector<NearPair>> near_;               // of each source panel
-  std::vector<std::vector<QuadraturePoint>> nearPoints_;  // on each source panel
+  std::vector<std::vector<QuadraturePoint>> fourPoints_;  // 2 × 2 on each source panel
 };
 
 }  // namespace cutwater

@@ -52,13 +52,19 @@ NearImage nearImage(const Vec3& x, const Panel& source, const RankinePanel& rank
   return sum;
 }
 
+WavePoint::WavePoint(double K, double X, double Y) {
+  const WaveTerm w = waveTerm(X, Y);
+  value = K * Complex(w.F, -2.0 * kPi * w.J0);
+  slope = K * K * Complex(w.FX, 2.0 * kPi * w.J1);
+  rise = K * K * Complex(w.FY, 2.0 * kPi * w.J0);
+}
+
 WaveIntegral waveAtPoint(const Vec3& x, const Vec3& xi, const Vec3& n, double K) {
   const double dx = xi.x() - x.x(), dy = xi.y() - x.y();
-  const double h = std::hypot(dx, dy);
-  const WaveTerm w = waveTerm(K * h, -K * (x.z() + xi.z()));
+  const double h = std::sqrt(dx * dx + dy * dy);
+  const WavePoint w(K, K * h, -K * (x.z() + xi.z()));
   const double along = h > 0.0 ? (n.x() * dx + n.y() * dy) / h : 0.0;
-  return {K * (w.F - kTwoPiI * w.J0),
-          K * K * (along * (w.FX + kTwoPiI * w.J1) - n.z() * (w.FY + kTwoPiI * w.J0))};
+  return {w.value, along * w.slope - n.z() * w.rise};
 }
 
 // With L = ln((R + Y)/2) = ln ρ + ln(K/2):  F = (F + 2L) − 2L and F_Y = −F − 2/R, so that

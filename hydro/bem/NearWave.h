@@ -25,6 +25,14 @@ struct WaveIntegral {
   Complex normal;  ///< ∫ ∂g/∂n_ξ dS [–]
 };
 
+/// g and its derivatives at K·(horizontal distance) X and Y = −K(z + ζ).
+struct WavePoint {
+  WavePoint(double K, double X, double Y);
+  Complex value;  ///< g [1/m]
+  Complex slope;  ///< ∂g by the horizontal distance [1/m²]
+  Complex rise;   ///< −∂g/∂ζ [1/m²]
+};
+
 /// The wave part at one point ξ with normal n (not yet times an area). @pre x, ξ not both on z = 0
 /// at the same place.
 WaveIntegral waveAtPoint(const Vec3& x, const Vec3& xi, const Vec3& n, double K);
