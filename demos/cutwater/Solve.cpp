@@ -1,13 +1,32 @@
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
 
 #include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Progress.h"
 #include "demos/cutwater/ShipFile.h"
+#include "hydro/Errors.h"
 #include "hydro/database/CoefficientsFile.h"
+#include "hydro/memory/RetardationFunction.h"
 
 namespace cutwater::command {
 
+namespace {
+
+// A sweep can take minutes: better to know first that its result can be kept.
+void requireWritable(const std::string& file) {
+  const auto folder = std::filesystem::absolute(file).parent_path();
+  if (std::filesystem::is_directory(file) || access(folder.c_str(), W_OK) != 0) {
+    throw HydroError(Fault::FileNotWritable,
+                     file + ": cannot be written (no such folder, or no permission)");
+  }
+}
+
+}  // namespace
+
 void solve(const std::string& path, const std::string& database, int threads) {
+  requireWritable(database);
   ShipFile ship = readShipFile(path);
   ship.solve.threads = threads;
   fmt::print(stderr, "solve: {} panels{}, {} frequencies, {} headings\n",
@@ -17,7 +36,9 @@ void solve(const std::string& path, const std::string& database, int threads) {
   Coefficients coefficients = buildCoefficients(
       ship.particulars, ship.solve, [&progress](int done, int total) { progress.at(done, total); });
   coefficients.waveOmega = ship.waveOmega;
-  writeCoefficients(coefficients, database);
+  constexpr double kStep = 0.05, kDuration = 30.0;  // of K for the readers of BEMIO [s]
+  writeCoefficients(coefficients, database,
+                    RetardationMatrix(coefficients).table(kStep, kDuration));
 }
 
 }  // namespace cutwater::command

@@ -5,7 +5,8 @@
 
 namespace cutwater::test {
 
-/// A reference table: `#` lines are comments, then one header line, then rows. Text cells stay text.
+/// A reference table: `#` lines are comments, then one header line, then rows. Text cells stay
+/// text.
 class CsvTable {
  public:
   /// @param path  relative to tests/.

@@ -14,8 +14,8 @@ void recordResult(const std::string& topic, const std::string& quantity,
   if (path == nullptr) return;
   char value[32];
   std::snprintf(value, sizeof value, "%.4g", reached);
-  std::ofstream(path, std::ios::app) << topic << '\t' << quantity << '\t' << reference << '\t'
-                                     << value << '\t' << bound << '\n';
+  std::ofstream(path, std::ios::app)
+      << topic << '\t' << quantity << '\t' << reference << '\t' << value << '\t' << bound << '\n';
 }
 
 }  // namespace cutwater::test

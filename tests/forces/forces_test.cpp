@@ -1,0 +1,197 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hydro/Errors.h"
+#include "hydro/forces/ExcitationForce.h"
+#include "hydro/forces/FrequencyResponse.h"
+#include "hydro/forces/RestoringForce.h"
+#include "hydro/forces/SupplementaryForces.h"
+#include "hydro/geometry/Hydrostatics.h"
+#include "hydro/geometry/Shapes.h"
+#include "hydro/waves/IncidentWaveForce.h"
+
+namespace cutwater {
+namespace {
+
+constexpr double kG = 9.81, kRho = 1000.0;
+
+// A box 20 × 6 × 2 m with given A and B: no solver is needed to test what forces do with them.
+Coefficients boxShip() {
+  Coefficients c;
+  c.ship.wetSurface = wetBox({20.0, 6.0, 2.0, 1.0}, 16, 4, 3);
+  c.ship.symmetric = true;
+  c.ship.cog = Vec3(0.5, 0.0, 0.3);
+  c.ship.gyradii = Vec3(2.0, 5.0, 5.0);
+  c.ship.density = kRho;
+  c.ship.gravity = kG;
+  const SurfaceMesh whole = joined(c.ship.wetSurface, mirroredInY(c.ship.wetSurface));
+  const Hydrostatics afloat = hydrostatics(whole, c.ship.cog, kRho, kG);
+  c.ship.mass = afloat.displacement;
+  c.ship.volume = afloat.volume;
+  c.ship.restoring = afloat.restoring;
+  for (int i = 1; i <= 40; ++i) {
+    const double omega = 0.1 * i;
+    c.omega.push_back(omega);
+    c.addedMass.push_back(c.ship.mass * (0.8 + 0.3 / (1.0 + omega * omega)) * Mat6::Identity());
+    c.damping.push_back(c.ship.mass * omega * omega * std::exp(-omega) * Mat6::Identity());
+    // b_j ∝ ω of the panel's area: a diffraction force that is known in closed form below.
+    c.adjoint.push_back(Eigen::Matrix<Complex, 6, Eigen::Dynamic>::Constant(
+        6, static_cast<Eigen::Index>(c.ship.wetSurface.faces.size()), Complex(0.0, kRho * omega)));
+  }
+  c.addedMassZero = 1.1 * c.ship.mass * Mat6::Identity();
+  c.addedMassInf = 0.8 * c.ship.mass * Mat6::Identity();
+  return c;
+}
+
+TEST(WaveExcitationClosedForm, LongWavesPressLikeTheSlowlyMovingSurface) {
+  // As ω → 0 heave excitation is C33 and the roll moment of a beam wave C44's buoyant part; k =
+  // 1e-4/m, so that terms of order kL are 2e-3.
+  const Coefficients ship = boxShip();
+  const double omega = std::sqrt(1e-4 * kG);
+  const CVec6 force = WaveExcitation(ship).at(omega, kPi / 2).froudeKrylov;
+  EXPECT_NEAR(std::abs(force[Heave]) / ship.ship.restoring(Heave, Heave), 1.0, 2e-3);
+}
+
+TEST(WaveExcitationClosedForm, BoxInBeamAndHeadWavesHasTheIntegralOfThePressure) {
+  // Heave of a box by Froude-Krylov: ρg L B e^{−kT} sinc(kL/2) in head waves, phase e^{ik(x_c −
+  // x_G)}.
+  const Coefficients ship = boxShip();
+  const double omega = 1.5, k = omega * omega / kG;
+  const Complex heave = WaveExcitation(ship).at(omega, kPi).froudeKrylov[Heave];
+  const double amplitude =
+      kRho * kG * 20.0 * 6.0 * std::exp(-2.0 * k) * std::sin(10.0 * k) / (10.0 * k);
+  const Complex expected =
+      std::polar(amplitude, -0.5 * k);  // centre half a metre aft of G, head waves
+  EXPECT_LT(std::abs(heave - expected), 1e-6 * amplitude);  // the integral's stated accuracy
+}
+
+TEST(WaveExcitationIdentity, HeadingPlusMinusIsTheMirrorImage) {
+  const Coefficients ship = boxShip();
+  const WaveExcitation waves(ship);
+  const CVec6 port = waves.at(1.0, 0.7).total(), starboard = waves.at(1.0, -0.7).total();
+  for (int j = 0; j < 6; ++j) {
+    const double sign = j % 2 == 0 ? 1.0 : -1.0;
+    EXPECT_LT(std::abs(port[j] - sign * starboard[j]), 1e-9 * (1.0 + std::abs(port[j])));
+  }
+}
+
+TEST(WaveExcitation, RefusesFrequenciesOutsideTheDatabase) {
+  const Coefficients ship = boxShip();
+  EXPECT_THROW(WaveExcitation(ship).at(4.5, 0.0), HydroError);
+  EXPECT_THROW(WaveExcitation(ship).at(0.0, 0.0), HydroError);
+  EXPECT_NO_THROW(WaveExcitation(ship).at(0.01, 0.0));
+}
+
+TEST(WaveExcitationIdentity, TableOfAPlainFileGivesItsOwnNodes) {
+  Coefficients ship = boxShip();
+  const WaveExcitation exact(ship);
+  std::vector<std::vector<CVec6>> fk(3), diffraction(3);
+  for (std::size_t h = 0; h < 3; ++h) {
+    ship.headings.push_back(kPi / 2 * static_cast<double>(h));
+    for (const double omega : ship.omega) {
+      fk[h].push_back(exact.at(omega, ship.headings[h]).froudeKrylov);
+      diffraction[h].push_back(exact.at(omega, ship.headings[h]).diffraction);
+    }
+  }
+  const CVec6 expected = exact.at(1.3, -kPi / 2).total();
+  Coefficients plain = ship;
+  plain.adjoint.clear();
+  plain.froudeKrylov = fk;
+  plain.diffraction = diffraction;
+  const CVec6 force = WaveExcitation(plain).at(1.3, -kPi / 2).total();  // the mirror image of +90°
+  EXPECT_LT((force - expected).norm(), 1e-9 * expected.norm());
+}
+
+TEST(ExcitationForceIdentity, AgreesWithTheComplexAmplitudeAnywhereAndAtAnyTime) {
+  const Coefficients ship = boxShip();
+  const double omega = 1.1, beta = 0.4, course = 0.9, a = 0.7, epsilon = 0.3, x = 30.0, y = -12.0,
+               t = 4.4;
+  ExcitationForce force(ship, SeaState({{omega, a, epsilon, beta}}, kG), course);
+  ShipMotion motion;
+  motion.time = t;
+  motion.meanX = x;
+  motion.meanY = y;
+  const Vec6 now = force.at(motion);
+  const double k = omega * omega / kG;
+  const Complex phasor =
+      std::polar(a, omega * t - k * (x * std::cos(beta) - y * std::sin(beta)) + epsilon);
+  const CVec6 amplitude = WaveExcitation(ship).at(omega, beta + course).total();
+  EXPECT_LT((now - (phasor * amplitude).real()).norm(), 1e-9 * amplitude.norm());
+  EXPECT_LT((now - force.froudeKrylov() - force.diffraction()).norm(), 1e-12 * amplitude.norm());
+}
+
+TEST(ExcitationForceIdentity, AWaveFromTheBowIsAHeadSeaWhateverTheCourse) {
+  // Course 120° to port; the wave travels against it. In H the ship must see β = 180°.
+  const Coefficients ship = boxShip();
+  const double course = 2.0 * kPi / 3.0;
+  // Direction of travel (cos β, −sin β) = −(cos ψ, sin ψ): β = π − ψ.
+  ExcitationForce force(ship, SeaState({{1.0, 1.0, 0.0, kPi - course}}, kG), course);
+  const Vec6 now = force.at({});
+  const CVec6 head = WaveExcitation(ship).at(1.0, kPi).total();
+  EXPECT_LT((now - head.real()).norm(), 1e-9 * head.norm());
+}
+
+TEST(RestoringForce, OpposesHeaveByTheWaterplane) {
+  const Coefficients ship = boxShip();
+  ShipMotion motion;
+  motion.eta[Heave] = 0.1;
+  // Moment about G half a metre forward of the waterplane's centre: C53 = −ρg∫x dA = +ρgA·0.5.
+  const Vec6 force = RestoringForce(ship).at(motion);
+  EXPECT_NEAR(force[Heave], -kRho * kG * 120.0 * 0.1, 1e-6);
+  EXPECT_NEAR(force[Pitch], -kRho * kG * 120.0 * 0.5 * 0.1, 1e-6);
+}
+
+TEST(SupplementaryForces, QuadraticRollDampingAlwaysTakesEnergy) {
+  Supplementary terms;
+  terms.rollDampingQuadratic = 3.0;
+  terms.damping[Sway] = 2.0;
+  terms.stiffness[Yaw] = 5.0;
+  ShipMotion motion;
+  for (const double rate : {-2.0, 2.0}) {
+    motion.etaDotNow << 0, 1, 0, rate, 0, 0;
+    motion.eta[Yaw] = 0.1;
+    const Vec6 force = SupplementaryForces(terms).at(motion);
+    EXPECT_DOUBLE_EQ(force[Roll], -3.0 * std::abs(rate) * rate);
+    EXPECT_DOUBLE_EQ(force[Sway], -2.0);
+    EXPECT_DOUBLE_EQ(force[Yaw], -0.5);
+  }
+}
+
+TEST(FrequencyResponseClosedForm, LongWavesCarryTheShipLikeARaft) {
+  // ω → 0: heave 1, pitch = wave slope: head wave ζ = cos(ωt + kx), bow-down pitch −∂ζ/∂x = k sin:
+  // phase −90°... with η5 = −∂ζ/∂x = k sin(ωt) = Re{−ik e^{iωt}}. Restoring and wave pressure
+  // balance to order kL.
+  const Coefficients ship = boxShip();
+  const double k = 2e-4, omega = std::sqrt(k * kG);
+  const CVec6 eta = FrequencyResponse(ship).at(omega, kPi);
+  EXPECT_NEAR(std::abs(eta[Heave] - 1.0), 0.0, 0.01);
+  EXPECT_NEAR(std::abs(eta[Pitch] - Complex(0.0, -k)) / k, 0.0, 0.02);
+}
+
+TEST(FrequencyResponseIdentity, SolvesTheEquationOfMotion) {
+  Coefficients ship = boxShip();
+  ship.ship.supplementary.damping[Roll] = 1e5;
+  ship.ship.supplementary.stiffness[Yaw] = 2e6;
+  const double omega = 1.2;  // a node of the grid: A and B are the data themselves
+  const CVec6 eta = FrequencyResponse(ship).at(omega, 0.8);
+  Mat6 inertia = ship.ship.massMatrix() + ship.addedMass[11], damping = ship.damping[11];
+  Mat6 stiffness = ship.ship.restoring;
+  damping(Roll, Roll) += 1e5;
+  stiffness(Yaw, Yaw) += 2e6;
+  const CVec6 left = (-omega * omega * inertia + stiffness).cast<Complex>() * eta +
+                     Complex(0, omega) * (damping.cast<Complex>() * eta);
+  const CVec6 force = WaveExcitation(ship).at(omega, 0.8).total();
+  EXPECT_LT((left - force).norm(), 1e-9 * force.norm());
+}
+
+TEST(FrequencyResponse, RestrainedModesDoNotMove) {
+  const Coefficients ship = boxShip();
+  const CVec6 eta = FrequencyResponse(ship, {true, false, false, false, false, true}).at(1.0, 0.5);
+  EXPECT_EQ(eta[Surge], Complex(0.0));
+  EXPECT_EQ(eta[Yaw], Complex(0.0));
+  EXPECT_GT(std::abs(eta[Heave]), 0.0);
+}
+
+}  // namespace
+}  // namespace cutwater
