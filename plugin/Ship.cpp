@@ -252,7 +252,13 @@ bool Ship::apply(btScalar step) noexcept {
 }
 
 std::uint32_t Ship::beginTick(double time, btScalar step) noexcept {
+  // Bullet would look up a simulation island for a constraint whose body has none.
+  const bool wasInWorld = addedMass_->isEnabled();
+  addedMass_->setEnabled(body_->isInWorld());
   if (!body_->isInWorld()) return kBodyNotInWorld;
+  if (!wasInWorld) {
+    resetVelocity(fromBullet(body_->getLinearVelocity()), fromBullet(body_->getAngularVelocity()));
+  }
   if (!(body_->getInvMass() > 0)) return kStepOk;  // held still by the user for now
   if (!stateFinite(*body_)) return kStateNotFinite;
   std::uint32_t faults = matchTick(static_cast<double>(step));
@@ -273,6 +279,7 @@ std::uint32_t Ship::beginTick(double time, btScalar step) noexcept {
 }
 
 void Ship::endTick() noexcept {
+  if (!addedMass_->isEnabled()) return;
   velocityBefore_ = sixOf(addedMass_->linearVelocity(), addedMass_->angularVelocity());
   addedMass_->endTick();
   record_.forces.addedMass << addedMass_->force(), addedMass_->moment();

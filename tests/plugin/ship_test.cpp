@@ -4,66 +4,13 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <cstring>
-#include <limits>
 
 #include "hydro/forces/FrequencyResponse.h"
-#include "plugin/Seaway.h"
-#include "tests/plugin/TestShip.h"
-#include "tests/plugin/TestWorld.h"
+#include "tests/plugin/TestScene.h"
 #include "tests/support/Results.h"
 
 namespace cutwater::test {
 namespace {
-
-constexpr btScalar kTick = btScalar(1) / 64;
-
-// A half sphere in a world of its own.
-struct Scene {
-  explicit Scene(const ShipSettings& start = {}, SeaState sea = {},
-                 Coefficients ship = hemisphere())
-      : coefficients(std::move(ship)), seaway(world.world, std::move(sea)) {
-    ShipSettings settings = start;
-    settings.shape = &shape;
-    sphere = &seaway.addShip(coefficients, settings);
-  }
-  void run(int ticks, btScalar step = kTick, int perCall = 1) {
-    for (int i = 0; i < ticks; i += perCall) {
-      world.world.stepSimulation(step * static_cast<btScalar>(perCall), perCall, step);
-    }
-  }
-
-  TestWorld world{kSphereGravity};
-  btSphereShape shape{5};
-  Coefficients coefficients;
-  Seaway seaway;
-  Ship* sphere = nullptr;
-};
-
-Vec6 one(int mode, double value) {
-  Vec6 v = Vec6::Zero();
-  v[mode] = value;
-  return v;
-}
-
-SeaState waves() {
-  return SeaState({{.omega = 0.9, .amplitude = 0.4, .phase = 0.3, .heading = 2.0},
-                   {.omega = 1.3, .amplitude = 0.2, .phase = 1.3, .heading = 2.6}},
-                  kSphereGravity, 2.0);
-}
-
-bool sameBits(const btRigidBody& a, const btRigidBody& b) {
-  const auto same = [](const btVector3& u, const btVector3& v) {
-    return std::memcmp(u.m_floats, v.m_floats, 3 * sizeof(btScalar)) == 0;
-  };
-  bool all = same(a.getLinearVelocity(), b.getLinearVelocity()) &&
-             same(a.getAngularVelocity(), b.getAngularVelocity()) &&
-             same(a.getWorldTransform().getOrigin(), b.getWorldTransform().getOrigin());
-  for (int i = 0; i < 3; ++i) {
-    all = all && same(a.getWorldTransform().getBasis()[i], b.getWorldTransform().getBasis()[i]);
-  }
-  return all;
-}
 
 TEST(ShipIdentity, AtRestInCalmWaterNothingMoves) {
   Scene scene({.x = 30, .y = -12, .heading = 0.7});
@@ -124,14 +71,16 @@ TEST(ShipIdentity, TicksPerStepSimulationDoNotMatterToTheLastBit) {
   const ShipSettings start{.heading = 0.4, .offset = one(Heave, 0.5)};
   Scene single(start, waves());
   single.run(256, kTick, 1);
+  int different = 0;
   for (const int perCall : {2, 4}) {
     Scene many(start, waves());
     many.run(256, kTick, perCall);
-    EXPECT_TRUE(sameBits(single.sphere->body(), many.sphere->body())) << perCall;
+    if (!sameBits(single.sphere->body(), many.sphere->body())) ++different;
     EXPECT_EQ(single.seaway.time(), many.seaway.time());
   }
-  recordResult("Plugin", withPrecision("1, 2, 4 ticks per stepSimulation, different bits"), "0", 0,
-               "0");
+  EXPECT_EQ(different, 0);
+  recordResult("Plugin", withPrecision("2 and 4 ticks per stepSimulation: runs that differ from 1"),
+               "0", different, "0");
 }
 
 // Height after 8 s of a sphere let go from 1 m, `start` its velocity.
@@ -223,145 +172,6 @@ TEST(ShipIdentity, TurnedSceneGivesTurnedMotion) {
   // Rounding of 320 ticks of positions and velocities of order one.
   EXPECT_LT((a.sphere->motion() - b.sphere->motion()).norm(), 320 * 4 * kEpsilon);
   EXPECT_GT(std::abs(a.sphere->motion()[Sway]), 1e-2);
-}
-
-TEST(Ship, SnapshotAndRestoreGiveTheSameBits) {
-  Scene scene({.offset = one(Heave, 0.5)}, waves());
-  scene.run(100);
-  scene.sphere->body().applyCentralImpulse(btVector3(1e5, 2e4, 0));  // not yet met by the solver
-  const Seaway::Snapshot saved = scene.seaway.save();
-  scene.run(150);
-  Scene twin({.x = 900, .heading = 2.0}, waves());
-  twin.sphere->prepare(static_cast<double>(kTick));
-  twin.seaway.restore(saved);
-  twin.run(150);
-  EXPECT_TRUE(sameBits(scene.sphere->body(), twin.sphere->body()));
-  scene.sphere->placeAt(500, 20, 1.0);
-  scene.run(30);
-  scene.seaway.restore(saved);
-  scene.run(150);
-  EXPECT_TRUE(sameBits(scene.sphere->body(), twin.sphere->body()));
-}
-
-TEST(Ship, PlacedElsewhereSheIsAtRestThere) {
-  Scene scene({.offset = one(Heave, 1.0)});
-  scene.run(100);
-  scene.sphere->placeAt(400, -300, 0.5);
-  EXPECT_LT(scene.sphere->motion().norm(), 1e3 * kEpsilon);
-  const btVector3 there = scene.sphere->body().getCenterOfMassPosition();
-  scene.run(100);
-  EXPECT_EQ(scene.sphere->body().getCenterOfMassPosition(), there);
-}
-
-TEST(Ship, RestrainedModesStayAndTheOthersDoNotNotice) {
-  const SeaState sea({{.omega = 1.0, .amplitude = 0.5, .heading = 2.5}}, kSphereGravity, 2.0);
-  std::array<bool, 6> held{};
-  held[Surge] = held[Yaw] = true;
-  Scene free({.x = 3, .heading = 0.2}, sea),
-      tied({.x = 3, .heading = 0.2, .restrained = held}, sea);
-  double surge = 0.0, heave = 0.0;
-  for (int i = 0; i < 640; ++i) {
-    free.run(1);
-    tied.run(1);
-    surge = std::max(surge, std::abs(tied.sphere->motion()[Surge]));
-    heave = std::max(heave, std::abs(tied.sphere->motion()[Heave] - free.sphere->motion()[Heave]));
-  }
-  EXPECT_GT(std::abs(free.sphere->motion()[Sway]), 0.01);
-  EXPECT_NEAR(tied.sphere->motion()[Sway], free.sphere->motion()[Sway], 1e-4);
-  // Ten sweeps of the solver leave (l/(1 + l))¹⁰ of the load's work in a tick, and the joint pulls
-  // a fifth of the error back each tick.
-  EXPECT_LT(surge, 1e-4);
-  EXPECT_LT(heave, 1e-4);
-}
-
-TEST(Ship, TakesAUsersOwnBody) {
-  TestWorld world(kSphereGravity);
-  const Coefficients coefficients = hemisphere();
-  btSphereShape shape(5);
-  const auto inertia = static_cast<btScalar>(261800.0 * 2.5 * 2.5);
-  btRigidBody body(btRigidBody::btRigidBodyConstructionInfo(261800, nullptr, &shape,
-                                                            btVector3(inertia, inertia, inertia)));
-  body.setCenterOfMassTransform(btTransform(btQuaternion::getIdentity(), btVector3(4, 5, -1)));
-  Seaway seaway(world.world);
-  EXPECT_THROW(seaway.addShip(coefficients, body), HydroError);  // not in the world yet
-  world.world.addRigidBody(&body);
-  Ship& ship = seaway.addShip(coefficients, body);
-  Scene made({.x = 4, .y = 5, .offset = one(Heave, 1.0)});
-  made.run(100);
-  for (int i = 0; i < 100; ++i) world.world.stepSimulation(kTick, 1, kTick);
-  EXPECT_TRUE(sameBits(body, made.sphere->body()));
-  seaway.removeShip(ship);
-  EXPECT_TRUE(body.isInWorld());
-  world.world.removeRigidBody(&body);
-  btRigidBody light(
-      btRigidBody::btRigidBodyConstructionInfo(1000, nullptr, &shape, btVector3(1, 1, 1)));
-  world.world.addRigidBody(&light);
-  EXPECT_THROW(seaway.addShip(coefficients, light), HydroError);
-  world.world.removeRigidBody(&light);
-}
-
-TEST(Ship, EulerAnglesInvertTheRotation) {
-  for (const Vec3& angles : {Vec3(0.3, -0.5, 2.0), Vec3(-2.0, 0.1, -3.0), Vec3(0.1, 1.5, 0.2)}) {
-    const Mat3 r =
-        (Eigen::AngleAxisd(angles[2], Vec3::UnitZ()) * Eigen::AngleAxisd(angles[1], Vec3::UnitY()) *
-         Eigen::AngleAxisd(angles[0], Vec3::UnitX()))
-            .toRotationMatrix();
-    EXPECT_LT((eulerAngles(r) - angles).norm(), 1e-13);
-  }
-  const Mat3 up = Eigen::AngleAxisd(kPi / 2, Vec3::UnitY()).toRotationMatrix();
-  EXPECT_TRUE(eulerAngles(up).allFinite());
-}
-
-TEST(Ship, LoadsThatAreNotFiniteAreReportedAndNotApplied) {
-  Coefficients broken = hemisphere();
-  broken.ship.restoring(2, 2) = std::numeric_limits<double>::quiet_NaN();
-  Scene scene({}, {}, broken);
-  scene.run(2);
-  EXPECT_EQ(scene.seaway.faults(), kLoadNotFinite);
-  EXPECT_TRUE(velocityOf(scene.sphere->body()).allFinite());
-  Scene lost;
-  lost.run(2);
-  lost.sphere->body().setLinearVelocity(btVector3(std::numeric_limits<btScalar>::infinity(), 0, 0));
-  lost.run(1);
-  EXPECT_EQ(lost.seaway.faults() & kStateNotFinite, kStateNotFinite);
-  lost.seaway.clearFaults();
-  EXPECT_EQ(lost.seaway.faults(), kStepOk);
-}
-
-TEST(Ship, AnotherTickLengthRestartsTheMemoryAndSaysSo) {
-  Scene scene({.offset = one(Heave, 1.0)});
-  scene.run(10);
-  EXPECT_EQ(scene.seaway.faults(), kStepOk);
-  scene.run(10, btScalar(1) / 50);
-  EXPECT_EQ(scene.seaway.faults(), kTickLengthChanged);
-}
-
-// The shape of a slender hull reaches as far as the hull itself, plus Bullet's margin.
-TEST(Ship, CollidesOnTheConvexHullOfHerOwnMesh) {
-  Coefficients slender = hemisphere();
-  for (int i = 0; i <= 40; ++i) {
-    for (int j = 0; j < 24; ++j) {
-      const double along = kPi * i / 40, around = 2 * kPi * j / 24;
-      slender.ship.hull.vertices.emplace_back(60 * std::cos(along),
-                                              7 * std::sin(along) * std::cos(around),
-                                              5 * std::sin(along) * std::sin(around));
-    }
-  }
-  TestWorld world(kSphereGravity);
-  Seaway seaway(world.world);
-  const Ship& ship = seaway.addShip(slender);
-  btVector3 low, high;
-  ship.body().getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
-  const Vec3 margin = Vec3::Constant(0.04);
-  EXPECT_LT((fromBullet(low) - (Vec3(-60, -7, -5 + 2) - margin)).norm(), 0.01);
-  EXPECT_LT((fromBullet(high) - (Vec3(60, 7, 5 + 2) + margin)).norm(), 0.01);
-}
-
-TEST(Ship, WithoutHullOrShapeSheIsRefused) {
-  TestWorld world(kSphereGravity);
-  Seaway seaway(world.world);
-  const Coefficients coefficients = hemisphere();
-  EXPECT_THROW(seaway.addShip(coefficients), HydroError);
 }
 
 }  // namespace
