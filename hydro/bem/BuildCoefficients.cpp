@@ -143,13 +143,15 @@ class Sweep {
 
   void diffract(const SymmetricSystem<Complex>& system, std::size_t i) {
     const ShipParticulars& ship = out_.ship;
+    const PanelMesh& mesh = matrices_.mesh();
+    std::vector<IncidentVelocity> velocities;
     for (std::size_t h = 0; h < out_.headings.size(); ++h) {
       const AiryWave wave{out_.omega[i], out_.headings[h], ship.gravity};
-      const PanelMesh& mesh = matrices_.mesh();
       out_.froudeKrylov[h][i] = froudeKrylovForce(mesh, wave, ship.cog, ship.density);
-      out_.diffraction[h][i] = diffraction(
-          system, normals_, incidentNormalVelocity(mesh, wave, ship.cog), wave.omega, ship.density);
+      velocities.push_back(incidentNormalVelocity(mesh, wave, ship.cog));
     }
+    const auto forces = diffraction(system, normals_, velocities, out_.omega[i], ship.density);
+    for (std::size_t h = 0; h < forces.size(); ++h) out_.diffraction[h][i] = forces[h];
   }
 
   Coefficients& out_;

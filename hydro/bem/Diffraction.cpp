@@ -2,16 +2,29 @@
 
 namespace cutwater {
 
+std::vector<CVec6> diffraction(const SymmetricSystem<Complex>& system, const ModeNormals& normals,
+                               const std::vector<IncidentVelocity>& waves, double omega,
+                               double density) {
+  const Complex factor(0.0, omega * density);
+  const auto count = static_cast<Eigen::Index>(waves.size());
+  Eigen::MatrixXcd forces = Eigen::MatrixXcd::Zero(6, count);
+  for (const Parity parity : normals.parities()) {
+    Eigen::MatrixXcd v(normals.n.rows(), count);
+    for (Eigen::Index h = 0; h < count; ++h) {
+      const IncidentVelocity& wave = waves[static_cast<std::size_t>(h)];
+      v.col(h) = parity == Parity::Even ? wave.even : wave.odd;
+    }
+    forces(normals.modes(parity), Eigen::all) =
+        factor * (normals.weights(parity).transpose() * system.potentials(parity, v));
+  }
+  std::vector<CVec6> result;
+  for (Eigen::Index h = 0; h < count; ++h) result.emplace_back(forces.col(h));
+  return result;
+}
+
 CVec6 diffraction(const SymmetricSystem<Complex>& system, const ModeNormals& normals,
                   const IncidentVelocity& v, double omega, double density) {
-  const Complex factor(0.0, omega * density);
-  CVec6 force = CVec6::Zero();
-  for (int p = 0; p < system.parities(); ++p) {
-    const auto parity = static_cast<Parity>(p);
-    const auto phi = system.potentials(parity, parity == Parity::Even ? v.even : v.odd);
-    force(normals.modes(parity)) = factor * (normals.weights(parity).transpose() * phi);
-  }
-  return force;
+  return diffraction(system, normals, std::vector{v}, omega, density).front();
 }
 
 Eigen::Matrix<Complex, 6, Eigen::Dynamic> adjointVectors(const SymmetricSystem<Complex>& system,

@@ -82,6 +82,20 @@ TEST(ReciprocityIdentity, AddedMassAndDampingAreSymmetricAndDampingIsNotNegative
   report(fourth, "1040");
 }
 
+// 225 panels a side in waves down to 8 m, less than two panel lengths: coarse, but the damping must
+// fade as it does on finer meshes, positive and without ringing (with one point of the wave term it
+// rings).
+TEST(ReciprocityIdentity, DampingOfShortWavesFadesWithoutRinging) {
+  const Case ship(wetFrigate(32, 7), Vec3(-2.0, 0.0, 1.3));
+  double before = 1e30;
+  for (double omega = 1.2; omega < 2.85; omega += 0.2) {
+    const CMat6 Z = impulse(ship.matrices, ship.normals, omega * omega / kGravity);
+    EXPECT_GT(damping(Z, omega).diagonal().minCoeff(), 0.0) << omega;
+    EXPECT_LT(-Z(Heave, Heave).imag(), before) << omega;
+    before = -Z(Heave, Heave).imag();
+  }
+}
+
 /// F_D by the diffraction potential and by Haskind's relation, F_D,j = iωρ ∫ φ̂_j v dS, ρ = 1; and
 /// the whole excitation with F_I.
 struct Excitation {
