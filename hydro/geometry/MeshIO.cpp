@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "hydro/Errors.h"
+#include "hydro/geometry/ColladaCheck.h"
 #include "hydro/geometry/GdfReader.h"
 #include "hydro/geometry/PlyOffReader.h"
 #include "hydro/geometry/Polygons.h"
@@ -208,6 +209,7 @@ SurfaceMesh readFaces(const std::string& path, bool anyFormat, bool& mirrored) {
                      path + ": '." + format +
                          "' is read only with any_format = true; by default: .obj .stl .ply .gltf "
                          ".glb .off .dae .gdf");
+  if (format == "dae") checkCollada(wholeFile(path), path);
   try {
     return AssimpReader(path, anyFormat).read();
   } catch (const HydroError&) {

@@ -83,6 +83,11 @@ TEST(MalformedFiles, EachIsRefusedInOneLine) {
                 Fault::FileMalformed, "4000000000");
   expectRefused(folder.write("t.stl", test::stlBinary(hull).substr(0, 500)), Fault::FileMalformed,
                 "");
+  expectRefused(folder.write("l.dae", with(test::colladaText(hull), "</p>", "7 x</p>")),
+                Fault::FileMalformed, "<p> at byte");
+  expectRefused(
+      folder.write("a.dae", with(test::colladaText(hull), "stride=\"3\"", "stride=\"4\"")),
+      Fault::FileMalformed, "<accessor> at byte");
   expectRefused(folder.write("t.glb", test::glb(hull).substr(0, 500)), Fault::FileMalformed, "");
 }
 
