@@ -36,7 +36,7 @@ set(libraries
   "fmt/.+\\.h"                          "((hydro|plugin)/.+\\.cpp|(demos|tests)/.+)"
   "gtest/.+|gmock/.+"                   "tests/.+"
   "benchmark/benchmark\\.h"             "tests/bench/.+"
-  "(unistd|fcntl)\\.h|sys/.+\\.h"       ".*"
+  "(unistd|fcntl|stdlib)\\.h|sys/.+\\.h" ".*"  # POSIX
   "[a-z_0-9]+"                          ".*")
 
 # Sets `layer` to the row of table 1 that a file belongs to.
