@@ -46,7 +46,8 @@ enum StepFault : std::uint32_t {
   kTickLengthChanged = 1u << 2,   ///< memory was restarted for the new tick length
   kBodyNotInWorld = 1u << 3,      ///< the ship's body was removed behind our back
   kSolverNotSupported = 1u << 4,  ///< the world's solver cannot carry added mass (btMLCPSolver)
-  kCallbackReplaced = 1u << 5,   ///< the world's pre-tick callback was overwritten: one tick without loads
+  kCallbackReplaced =
+      1u << 5,  ///< the world's pre-tick callback was overwritten: one tick without loads
 };
 
 }  // namespace cutwater
