@@ -36,6 +36,14 @@ void store(btScalar* axis, const btVector3& v, double factor) {
   for (int i = 0; i < 3; ++i) axis[i] = static_cast<btScalar>(factor) * v[i];
 }
 
+// Equal but for the rounding with which Bullet renews a body's attitude each tick.
+bool same(const btMatrix3x3& a, const btMatrix3x3& b) {
+  for (int i = 0; i < 3; ++i) {
+    if ((a[i] - b[i]).length2() > btScalar(16) * SIMD_EPSILON * SIMD_EPSILON) return false;
+  }
+  return true;
+}
+
 // Bullet's gyroscopic velocity change of this tick, which the solver adds on top of total torque.
 btVector3 gyroscopicChange(const btRigidBody& body, btScalar step) {
   btVector3 change(0, 0, 0);
@@ -71,7 +79,9 @@ AddedMassConstraint::AddedMassConstraint(btRigidBody& body, const Mat6& addedMas
     const double ratio = eigen.eigenvalues()[r];
     if (ratio < kSmallestRatio) continue;
     const Vec6 j = root.cwiseProduct(eigen.eigenvectors().col(r));
-    rows_[static_cast<std::size_t>(count_++)] = {j.head<3>(), j.tail<3>(), ratio};
+    const Vec6 x = j.cwiseQuotient(root.cwiseAbs2());
+    rows_[static_cast<std::size_t>(count_++)] = {j.head<3>(), j.tail<3>(), x.head<3>(), x.tail<3>(),
+                                                 ratio};
   }
   feedback_ = {};
   setJointFeedback(&feedback_);
@@ -81,16 +91,19 @@ AddedMassConstraint::AddedMassConstraint(btRigidBody& body, const Mat6& addedMas
 // integrateTransforms copies the solver's velocity into the interpolation velocity before any
 // action runs; a vehicle's impulse in an action that ran before ours is thus still ahead of v⁻.
 void AddedMassConstraint::endTick() noexcept {
-  setPast(m_rbA.getInterpolationLinearVelocity(), m_rbA.getInterpolationAngularVelocity());
+  setPast(m_rbA.getInterpolationLinearVelocity(), m_rbA.getInterpolationAngularVelocity(), solved_);
 }
 
 void AddedMassConstraint::forgetPast() noexcept {
-  setPast(m_rbA.getLinearVelocity(), m_rbA.getAngularVelocity());
+  solved_ = axes();
+  setPast(m_rbA.getLinearVelocity(), m_rbA.getAngularVelocity(), solved_);
 }
 
-void AddedMassConstraint::setPast(const btVector3& linear, const btVector3& angular) noexcept {
+void AddedMassConstraint::setPast(const btVector3& linear, const btVector3& angular,
+                                  const Axes& axes) noexcept {
   linear_ = linear;
   angular_ = angular;
+  pastAxes_ = axes;
 }
 
 Vec3 AddedMassConstraint::force() const noexcept {
@@ -126,22 +139,50 @@ void AddedMassConstraint::pendingChange(Vec3& linear, Vec3& angular) const noexc
             fromBullet(gyroscopicChange(m_rbA, step_));
 }
 
+// The water's momentum of the last solve in the axes of then, p = Σ l (J·v⁻) J; seen in the axes of
+// now it stands for the velocity x·p/l along row r, which differs from J·v⁻ by what is returned.
+Vec6 AddedMassConstraint::changeByTurning(const Axes& now) const noexcept {
+  Vec6 change = Vec6::Zero();
+  if (same(now.linear, pastAxes_.linear) && same(now.angular, pastAxes_.angular)) return change;
+  const Mat3 linearNow = fromBullet(now.linear), angularNow = fromBullet(now.angular);
+  const Mat3 linearThen = fromBullet(pastAxes_.linear), angularThen = fromBullet(pastAxes_.angular);
+  const Vec3 v = fromBullet(linear_), w = fromBullet(angular_);
+  const Vec3 vThen = linearThen.transpose() * v, wThen = angularThen.transpose() * w;
+  Vec3 momentum = Vec3::Zero(), moment = Vec3::Zero();
+  for (int r = 0; r < count_; ++r) {
+    const Row& row = rows_[static_cast<std::size_t>(r)];
+    const double share = row.ratio * (row.linear.dot(vThen) + row.angular.dot(wThen));
+    momentum += share * row.linear;
+    moment += share * row.angular;
+  }
+  momentum = linearNow.transpose() * linearThen * momentum;
+  moment = angularNow.transpose() * angularThen * moment;
+  const Vec3 vNow = linearNow.transpose() * v, wNow = angularNow.transpose() * w;
+  for (int r = 0; r < count_; ++r) {
+    const Row& row = rows_[static_cast<std::size_t>(r)];
+    change[r] = (row.linearX.dot(momentum) + row.angularX.dot(moment)) / row.ratio -
+                row.linear.dot(vNow) - row.angular.dot(wNow);
+  }
+  return change;
+}
+
 // We want λ = −l J(Δv_pending + Δv), Δv the solver's change so far, J M⁻¹ Jᵀ = 1. Bullet iterates
 //     λ += [e − J·Δv]/D − cfm·λ,    D = J₁M⁻¹J₁ᵀ + J₂M⁻¹J₂ᵀ,
 // on two bodies; ours are the same one, so only J₁ + J₂ = J acts while D is ours to choose. At rest
-// of the iteration cfm·D·λ = e − J·Δv: hence e = −J·Δv_pending and cfm·D = 1/l. One step from λ = 0
-// gives e/D and must be the answer e/(1 + 1/l): hence D = 1 + 1/l and cfm = 1/(1 + l).
-// With J₁ = (1+κ)J and J₂ = −κJ, D = 1 + 2κ + 2κ², so κ = (−1 + √(1 + 2/l))/2.
+// of the iteration cfm·D·λ = e − J·Δv: hence e = −J·Δv_pending (plus what turning changed) and
+// cfm·D = 1/l. One step from λ = 0 gives e/D and must be the answer e/(1 + 1/l): hence D = 1 + 1/l
+// and cfm = 1/(1 + l). With J₁ = (1+κ)J and J₂ = −κJ, D = 1 + 2κ + 2κ², so κ = (−1 + √(1 + 2/l))/2.
 // m_damping = 0 keeps Bullet from adding −J·v of the whole velocity to e.
 void AddedMassConstraint::getInfo2(btConstraintInfo2* info) {
   Vec3 linear, angular;
   pendingChange(linear, angular);
-  const btMatrix3x3& toEarth = m_rbA.getWorldTransform().getBasis();
+  solved_ = axes();
+  const Vec6 turning = changeByTurning(solved_);
   info->m_damping = 0;
   for (int r = 0; r < count_; ++r) {
     const Row& row = rows_[static_cast<std::size_t>(r)];
-    const btVector3 j = toEarth * toBullet(row.linear);
-    const btVector3 k = toEarth * toBullet(row.angular);
+    const btVector3 j = solved_.linear * toBullet(row.linear);
+    const btVector3 k = solved_.angular * toBullet(row.angular);
     const double kappa = 0.5 * (std::sqrt(1.0 + 2.0 / row.ratio) - 1.0);
     const int at = r * info->rowskip;
     store(info->m_J1linearAxis + at, j, 1.0 + kappa);
@@ -149,7 +190,7 @@ void AddedMassConstraint::getInfo2(btConstraintInfo2* info) {
     store(info->m_J2linearAxis + at, j, -kappa);
     store(info->m_J2angularAxis + at, k, -kappa);
     info->m_constraintError[at] =
-        static_cast<btScalar>(-fromBullet(j).dot(linear) - fromBullet(k).dot(angular));
+        static_cast<btScalar>(turning[r] - fromBullet(j).dot(linear) - fromBullet(k).dot(angular));
     info->cfm[at] = static_cast<btScalar>(1.0 / (1.0 + row.ratio));
   }
 }

@@ -20,12 +20,14 @@ Mat3 attitudeMatrix(const Vec3& rollPitchYaw) {
       .toRotationMatrix();
 }
 
-// The same rotation on both halves of a velocity or a force.
-Vec6 rotated(const Mat3& r, const Vec6& v) {
+// The two halves of a velocity or a force, each by its own rotation.
+Vec6 rotated(const Mat3& linear, const Mat3& angular, const Vec6& v) {
   Vec6 result;
-  result << r * v.head<3>(), r * v.tail<3>();
+  result << linear * v.head<3>(), angular * v.tail<3>();
   return result;
 }
+
+Mat3 attitudeOf(const btRigidBody& body) { return fromBullet(body.getWorldTransform().getBasis()); }
 
 Vec6 sixOf(const btVector3& linear, const btVector3& angular) {
   Vec6 result;
@@ -77,6 +79,8 @@ Ship::Ship(btDiscreteDynamicsWorld& world, const Coefficients& coefficients, con
   body_->setSleepingThresholds(0, 0);
   body_->forceActivationState(DISABLE_DEACTIVATION);
   addedMass_ = std::make_unique<AddedMassConstraint>(*body_, coefficients.addedMassInf);
+  turnAddedMass();
+  addedMass_->forgetPast();
   resetVelocity(fromBullet(body_->getLinearVelocity()), fromBullet(body_->getAngularVelocity()));
   if (ownBody_) world_.addRigidBody(body_);
   world_.addConstraint(addedMass_.get());
@@ -94,8 +98,7 @@ void Ship::createBody(const ShipSettings& settings) {
   ownBody_ = makeBody(coefficients_.ship, settings.shape ? *settings.shape : *hullShape_);
   body_ = ownBody_.get();
   body_->setCenterOfMassTransform(poseAt(settings.offset));
-  const Vec6 velocity =
-      rotated(fromBullet(body_->getWorldTransform().getBasis()), settings.velocity);
+  const Vec6 velocity = rotated(attitudeOf(*body_), attitudeOf(*body_), settings.velocity);
   body_->setLinearVelocity(toBullet(velocity.head<3>()));
   body_->setAngularVelocity(toBullet(velocity.tail<3>()));
 }
@@ -125,13 +128,11 @@ void Ship::restrain() {
 
 Vec3 Ship::position() const noexcept { return fromBullet(body_->getWorldTransform().getOrigin()); }
 
-Vec3 Ship::attitude() const noexcept {
-  return eulerAngles(fromBullet(body_->getWorldTransform().getBasis()));
-}
+Vec3 Ship::attitude() const noexcept { return eulerAngles(attitudeOf(*body_)); }
 
 Vec6 Ship::velocity() const noexcept {
-  return rotated(fromBullet(body_->getWorldTransform().getBasis()).transpose(),
-                 sixOf(body_->getLinearVelocity(), body_->getAngularVelocity()));
+  const Mat3 toBody = attitudeOf(*body_).transpose();
+  return rotated(toBody, toBody, sixOf(body_->getLinearVelocity(), body_->getAngularVelocity()));
 }
 
 Vec6 Ship::motion() const noexcept { return motionAt(0.0).eta; }
@@ -142,15 +143,14 @@ Mat3 Ship::toCourse() const noexcept { return rotationZ(-courseHeading_); }
 // at t_n − h/2, and (3 v_n − v_{n−1})/2 is second order at t_n. Blows since the last solve are not
 // in it.
 ShipMotion Ship::motionAt(double time) const noexcept {
-  const Mat3 course = toCourse();
+  const Mat3 course = toCourse(), attitude = attitudeOf(*body_);
   const Vec3 mean(courseX_, courseY_, coefficients_.ship.cog.z());
   const Vec6 velocity = sixOf(addedMass_->linearVelocity(), addedMass_->angularVelocity());
   ShipMotion motion;
   motion.time = time;
-  motion.eta << course * (position() - mean),
-      eulerAngles(course * fromBullet(body_->getWorldTransform().getBasis()));
-  motion.etaDot = rotated(course, velocity);
-  motion.etaDotNow = rotated(course, 1.5 * velocity - 0.5 * velocityBefore_);
+  motion.eta << course * (position() - mean), eulerAngles(course * attitude);
+  motion.etaDot = rotated(course, attitude.transpose(), velocity);
+  motion.etaDotNow = rotated(course, attitude.transpose(), 1.5 * velocity - 0.5 * velocityBefore_);
   motion.meanX = courseX_;
   motion.meanY = courseY_;
   return motion;
@@ -159,6 +159,7 @@ ShipMotion Ship::motionAt(double time) const noexcept {
 void Ship::resetVelocity(const Vec3& linear, const Vec3& angular) noexcept {
   body_->setLinearVelocity(toBullet(linear));
   body_->setAngularVelocity(toBullet(angular));
+  turnAddedMass();
   addedMass_->forgetPast();
   velocityBefore_ = sixOf(body_->getLinearVelocity(), body_->getAngularVelocity());
 }
@@ -183,6 +184,7 @@ Ship::Snapshot Ship::save() const {
                   body_->getInterpolationLinearVelocity(),
                   body_->getInterpolationAngularVelocity()};
   s.past = {addedMass_->linearVelocity(), addedMass_->angularVelocity()};
+  s.pastAxes = addedMass_->pastAxes();
   s.before = velocityBefore_;
   s.course = {courseX_, courseY_, courseHeading_};
   if (radiation_) s.memory = radiation_->memory().save();
@@ -205,7 +207,7 @@ void Ship::restore(const Snapshot& s) {
   body_->setAngularVelocity(s.velocities[1]);
   body_->setInterpolationLinearVelocity(s.velocities[2]);
   body_->setInterpolationAngularVelocity(s.velocities[3]);
-  addedMass_->setPast(s.past[0], s.past[1]);
+  addedMass_->setPast(s.past[0], s.past[1], s.pastAxes);
   velocityBefore_ = s.before;
 }
 
@@ -240,10 +242,11 @@ void Ship::evaluate(const ShipMotion& motion) noexcept {
 // restoring load that carries the weight undoes Bullet's gravity in the solver's own arithmetic.
 bool Ship::apply(btScalar step) noexcept {
   const ForceParts& p = record_.forces;
-  const Vec6 inH =
+  const Vec6 loads =
       p.gravity + p.restoring + p.froudeKrylov + p.diffraction + p.radiation + p.supplementary;
-  if (!inH.allFinite()) return false;
-  const Vec6 impulse = static_cast<double>(step) * rotated(rotationZ(courseHeading_), inH);
+  if (!loads.allFinite()) return false;
+  const Vec6 impulse =
+      static_cast<double>(step) * rotated(rotationZ(courseHeading_), attitudeOf(*body_), loads);
   const btVector3 weightChange = gravityForce(*body_) * body_->getInvMass() * step;
   body_->setLinearVelocity(body_->getLinearVelocity() - weightChange);
   body_->applyCentralImpulse(toBullet(impulse.head<3>()));
@@ -268,14 +271,21 @@ std::uint32_t Ship::beginTick(double time, btScalar step) noexcept {
   record_.time = time;
   record_.position = position();
   record_.attitude = attitude();
-  record_.velocity = rotated(
-      fromBullet(body_->getWorldTransform().getBasis()).transpose() * rotationZ(courseHeading_),
-      motion.etaDotNow);
+  record_.velocity = rotated(attitudeOf(*body_).transpose() * rotationZ(courseHeading_),
+                             Mat3::Identity(), motion.etaDotNow);
   record_.wave = sea_.elevation(time, record_.position.x(), record_.position.y());
   evaluate(motion);
   if (!apply(step)) faults |= kLoadNotFinite;
+  turnAddedMass();
   addedMass_->beginTick(step);
   return faults;
+}
+
+// The linear half of A∞ follows her heading, not her heel: forces of linear theory are in
+// horizontal axes; turned with a hull that rolls, heave would excite sway at second order.
+void Ship::turnAddedMass() noexcept {
+  const Mat3 axes = rotationZ(attitude().z());
+  addedMass_->follow(toBulletBasis(axes));
 }
 
 void Ship::endTick() noexcept {
@@ -283,7 +293,8 @@ void Ship::endTick() noexcept {
   velocityBefore_ = sixOf(addedMass_->linearVelocity(), addedMass_->angularVelocity());
   addedMass_->endTick();
   record_.forces.addedMass << addedMass_->force(), addedMass_->moment();
-  record_.forces.addedMass = rotated(toCourse(), record_.forces.addedMass);
+  record_.forces.addedMass =
+      rotated(toCourse(), attitudeOf(*body_).transpose(), record_.forces.addedMass);
 }
 
 CUTWATER_PLUGIN_END

@@ -25,7 +25,7 @@ struct ShipSettings {
   btCollisionShape* shape = nullptr;
 };
 
-/// Loads on a ship over one tick, by part: force [N] and moment [N·m] about G, in H.
+/// Loads on a ship over one tick, by part: force [N] in H, moment [N·m] about G in B.
 /// What contacts, joints and the user add is not here. gravity + restoring = −C η.
 struct ForceParts {
   Vec6 gravity = Vec6::Zero();       ///< Bullet's, on this body
@@ -53,9 +53,11 @@ struct TickRecord {
 Vec3 eulerAngles(const Mat3& rotation) noexcept;
 
 /// One ship: a btRigidBody and the hydrodynamic loads on it. Made by Seaway::addShip.
-/// The angular part of η̇ is the angular velocity in H (to first order the rates of roll, pitch and
-/// yaw): moments are in H too, so that the radiation force takes as much energy as theory says.
-/// Rotations of more than some 20 degrees are outside the linear theory; loads stay finite.
+/// Forces act in H, moments in B, and η̇ is taken alike: velocity in H, angular velocity in B. To
+/// first order that is linear theory's H throughout, and power is force times velocity exactly.
+/// Moments in H would turn a ship's small roll inertia and her large yaw inertia against each
+/// other: at 3° of yaw they exceed roll's own. Rotations of more than some 20 degrees are outside
+/// the linear theory; loads stay finite.
 class Ship {
  public:
   /// Use Seaway::addShip. Coefficients, sea, world and `own` (null: a body is made) must outlive
@@ -90,6 +92,7 @@ class Ship {
     btTransform transform, interpolated;
     std::array<btVector3, 4> velocities;  // linear, angular; interpolated
     std::array<btVector3, 2> past;        // v⁻
+    AddedMassConstraint::Axes pastAxes;   // of A∞ at v⁻
     Vec6 before;
     std::array<double, 3> course;
     std::optional<Convolution::Snapshot> memory;
@@ -114,6 +117,7 @@ class Ship {
   void evaluate(const ShipMotion& motion) noexcept;
   bool apply(btScalar step) noexcept;
   std::uint32_t matchTick(double step) noexcept;
+  void turnAddedMass() noexcept;
 
   btDiscreteDynamicsWorld& world_;
   const Coefficients& coefficients_;

@@ -19,8 +19,10 @@ class RunShip {
         tick_(static_cast<btScalar>(run.tick)),
         substeps_(run.substeps) {}
 
+  /// One stepSimulation of `substeps` ticks. Bullet counts ticks by dividing times and may round
+  /// one away; it keeps the rest, so one tick more is allowed for the call after.
   void step() {
-    bullet_.world.stepSimulation(tick_ * static_cast<btScalar>(substeps_), substeps_, tick_);
+    bullet_.world.stepSimulation(tick_ * static_cast<btScalar>(substeps_), substeps_ + 1, tick_);
   }
   Seaway& seaway() { return seaway_; }
   Ship& ship() { return ship_; }

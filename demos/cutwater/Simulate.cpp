@@ -1,4 +1,4 @@
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
 
 #include "demos/cutwater/Commands.h"
@@ -19,6 +19,7 @@ std::string describeFaults(std::uint32_t faults) {
   add(kStateNotFinite, "the ship's position or velocity was not finite");
   add(kTickLengthChanged, "the tick length changed");
   add(kBodyNotInWorld, "the ship's body left the world");
+  add(kCallbackReplaced, "the world's pre-tick callback was overwritten");
   add(kSolverNotSupported, "the solver cannot carry added mass");
   return line;
 }
@@ -34,12 +35,11 @@ void simulate(const std::string& path, bool forces, const std::string& out) {
   RunShip world(run, coefficients);
   Recorder recorder(world.seaway(), world.ship(), {.forces = forces});
   Progress progress("simulate");
-  const double frame = run.tick * run.substeps;
-  const int frames = static_cast<int>(std::floor(run.duration / frame + 1e-9)) + 1;
-  recorder.reserve(static_cast<std::size_t>(frames * run.substeps));
-  for (int i = 0; i < frames; ++i) {
+  const auto rows = static_cast<std::size_t>(run.duration / run.tick + 1e-6) + 1;
+  recorder.reserve(rows + static_cast<std::size_t>(run.substeps));
+  while (recorder.rows() < rows) {
     world.step();
-    if (i % 256 == 0 || i + 1 == frames) progress.at(i + 1, frames);
+    progress.at(static_cast<int>(std::min(recorder.rows(), rows)), static_cast<int>(rows));
   }
   const std::string faults = describeFaults(world.seaway().faults());
   if (!faults.empty()) throw HydroError(Fault::ValueOutOfRange, path + ": " + faults);

@@ -24,10 +24,9 @@ CVec6 motionInBullet(const RunFile& run, const Coefficients& coefficients, std::
   RunShip world(run, coefficients, index);
   std::vector<double> time;
   std::array<std::vector<double>, 6> motion;
-  const int frames = static_cast<int>(run.duration / (run.tick * run.substeps) + 1e-9);
-  for (int i = 0; i < frames; ++i) {
+  while (world.seaway().time() < run.duration) {
     world.step();
-    if (2 * i < frames) continue;
+    if (world.seaway().time() < 0.5 * run.duration) continue;
     time.push_back(world.seaway().time());
     const Vec6 eta = world.ship().motion();
     for (std::size_t j = 0; j < 6; ++j) motion[j].push_back(eta[static_cast<int>(j)]);

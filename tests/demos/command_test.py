@@ -1,0 +1,200 @@
+"""command_test.py COMMAND DATABASE MESHES: the contract that others script against: columns, conventions, exit codes."""
+import csv
+import io
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+COMMAND, DATABASE, MESHES = (os.path.abspath(a) if os.path.exists(a) else a for a in sys.argv[1:4])
+
+
+def call(*arguments):
+    return subprocess.run([COMMAND, *arguments], capture_output=True, text=True, check=False)
+
+
+def table(*arguments):
+    done = call(*arguments)
+    assert done.returncode == 0, done.stderr
+    return list(csv.DictReader(io.StringIO(done.stdout)))
+
+
+SHIP = f"""[hull]
+mesh = "{MESHES}/frigate/frigate_224.obj"
+[mass]
+cog = [-2.4044, 0.0, 1.29]
+"""
+RUN = f"""database = "{DATABASE}"
+[bullet]
+duration = 4.0
+[waves]
+type = "regular"
+omega = 0.8
+ramp = 1.0
+"""
+
+
+class Files(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name, text=None):
+        full = os.path.join(self.folder.name, name)
+        if text is not None:
+            with open(full, "w", encoding="utf-8") as file:
+                file.write(text)
+        return full
+
+    def refused(self, arguments, *words):
+        """Exit 1, one line on stderr that names everything in `words`, nothing on stdout."""
+        done = call(*arguments)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        last = done.stderr.strip().splitlines()[-1]
+        for word in words:
+            self.assertIn(word, last)
+        self.assertEqual(done.stdout, "")
+
+
+class Tables(Files):
+    def test_hydrostatics_names(self):
+        values = {row["name"]: float(row["value"]) for row in table("hydrostatics", self.path("s.toml", SHIP))}
+        for name in ("volume displacement wetted_area waterplane_area lcb lcf kb C33 C35 C44 C55 bm_t bm_l gm_t gm_l "
+                     "draft length beam").split():
+            self.assertIn(name, values)
+        # Inscribed 224 panels: within 0.3 % of the recipe's volume of that mesh.
+        self.assertAlmostEqual(values["volume"] / 4458.2, 1, delta=0.003)
+        self.assertAlmostEqual(values["C33"], 1025 * 9.80665 * values["waterplane_area"], delta=1)
+
+    def test_coefficients_hold_both_limits(self):
+        rows = table("coefficients", DATABASE)
+        self.assertEqual(list(rows[0]), "omega j k A B dA_dx dB_dx".split())
+        self.assertEqual(rows[0]["omega"], "0")
+        self.assertEqual(rows[-1]["omega"], "inf")
+        self.assertEqual(len(rows), 36 * 62)
+
+    def test_excitation_of_long_waves_is_hydrostatic(self):
+        rows = table("excitation", DATABASE, "--heading", "90", "--omega", "0.1:0.1:1")
+        self.assertEqual(list(rows[0]), "omega omega_e j fk_re fk_im diff_re diff_im".split())
+        heave = complex(float(rows[2]["fk_re"]), float(rows[2]["fk_im"]))
+        c33 = 1025 * 9.80665 * 1372.0  # waterplane of the coarse mesh to 1 %; e^{-kT} of this wave: 0.5 %
+        self.assertAlmostEqual(abs(heave) / c33, 1, delta=0.02)
+
+    def test_rao_of_long_waves_follows_the_surface(self):
+        rows = table("rao", DATABASE, "--speed", "0", "--heading", "180", "--omega", "0.1:0.2:2")
+        self.assertEqual(list(rows[0]), "omega omega_e j amplitude phase_deg".split())
+        self.assertAlmostEqual(float(rows[2]["amplitude"]), 1, delta=0.02)
+        self.assertAlmostEqual(float(rows[2]["phase_deg"]), 0, delta=2)
+        for odd in (1, 3, 5):  # head seas: no sway, roll, yaw
+            self.assertLess(float(rows[odd]["amplitude"]), 1e-9)
+
+    def test_default_wave_frequencies_are_the_solves(self):
+        omegas = sorted({float(row["omega"]) for row in table("rao", DATABASE, "--heading", "180")})
+        self.assertEqual(len(omegas), 37)
+        self.assertAlmostEqual(omegas[0], 0.2)
+        self.assertAlmostEqual(omegas[-1], 2.0)
+
+    def test_retardation_integrates_to_nothing(self):
+        rows = table("retardation", DATABASE, "--dt", "0.1", "--duration", "30")
+        self.assertEqual(list(rows[0]), "tau j k K0 KU KUU".split())
+        k33 = [float(row["K0"]) for row in rows if row["j"] == "3" and row["k"] == "3"]
+        self.assertEqual(len(k33), 301)
+        whole = 0.1 * (sum(k33) - 0.5 * (k33[0] + k33[-1]))
+        self.assertLess(abs(whole), 0.01 * 0.1 * sum(map(abs, k33)))  # 0.5 % and as much for the trapezoid
+
+    def test_info_says_what_is_in_the_file(self):
+        names = {row["name"]: row["value"] for row in table("info", DATABASE)}
+        self.assertEqual(float(names["frequencies"]), 60)
+        self.assertEqual(names["code"], "Cutwater")
+
+    def test_simulate_columns_and_start(self):
+        run = self.path("run.toml", RUN)
+        rows = table("simulate", run, "--forces")
+        expected = "t x y z roll_deg pitch_deg yaw_deg u v w p q r wave".split()
+        for part in "gravity restoring froude_krylov diffraction radiation added_mass supplementary".split():
+            expected += [f"{part}_F{i}" for i in range(1, 7)]
+        self.assertEqual(list(rows[0]), expected)
+        self.assertEqual(len(rows), 201)
+        self.assertAlmostEqual(float(rows[0]["z"]), 1.29, delta=1e-9)
+        self.assertAlmostEqual(float(rows[-1]["t"]), 4.0, delta=1e-9)
+        self.assertAlmostEqual(float(rows[-1]["wave"]), math.cos(0.8 * 4.0), delta=0.01)  # ship near the origin
+
+    def test_single_precision_follows_double(self):
+        double = table("simulate", self.path("d.toml", RUN))
+        single = table("simulate", self.path("s.toml", RUN.replace("[waves]", "double = false\n[waves]")))
+        self.assertNotEqual(double[-1]["z"], single[-1]["z"])
+        self.assertAlmostEqual(float(double[-1]["z"]), float(single[-1]["z"]), delta=1e-4)
+
+    def test_output_file_equals_stdout(self):
+        target = self.path("o.csv")
+        self.assertEqual(call("rao", DATABASE, "--heading", "30", "-o", target).returncode, 0)
+        with open(target, encoding="utf-8") as file:
+            self.assertEqual(file.read(), call("rao", DATABASE, "--heading", "30").stdout)
+
+
+class Errors(Files):
+    def test_usage_exits_two(self):
+        for arguments in ([], ["nonsense"], ["solve"], ["rao", DATABASE], ["sweep", "--threads", "-3", "x"]):
+            self.assertEqual(call(*arguments).returncode, 2, arguments)
+
+    def test_help_and_version_exit_zero(self):
+        self.assertEqual(call("--version").returncode, 0)
+        for name in "hydrostatics solve info coefficients excitation rao retardation simulate sweep".split():
+            done = call(name, "--help")
+            self.assertEqual(done.returncode, 0)
+            self.assertIn("Example", done.stdout)
+
+    def test_unknown_keys_are_named(self):
+        self.refused(["hydrostatics", self.path("a.toml", SHIP + "gyradius = 3\n")], "a.toml", "[mass] gyradius", "3")
+        self.refused(["hydrostatics", self.path("b.toml", SHIP + "[solver]\nx = 1\n")], "b.toml", "solver")
+        self.refused(["simulate", self.path("c.toml", RUN + "[motion]\nspeeed = 3\n")], "c.toml", "speeed")
+
+    def test_bad_values_are_named(self):
+        for text, words in (
+            (SHIP + "gyradii = [1, 2]\n", ["gyradii", "three"]),
+            (SHIP + "mass = -5\n", ["mass", "-5"]),
+            (SHIP + "mass = nan\n", ["mass", "nan"]),
+            (SHIP + "[water]\ndensity = \"salt\"\n", ["density", "salt", "number"]),
+            (SHIP + "[solve]\nomega = [0.2, 0.1]\n", ["omega", "increase"]),
+            (SHIP + "[solve]\nspeeds = [5.0]\n", ["speeds", "version"]),
+            (SHIP.replace("[mass]", "unit = \"mile\"\n[mass]"), ["unit", "mile"]),
+            (SHIP.replace("frigate_224.obj", "missing.obj"), ["missing.obj"]),
+            ("[hull\n", ["line"]),
+        ):
+            self.refused(["hydrostatics", self.path("s.toml", text)], *words)
+        for text, words in (
+            (RUN.replace("0.8", "-0.8"), ["omega", "-0.8"]),
+            (RUN.replace("regular", "tsunami"), ["type", "tsunami"]),
+            (RUN.replace("duration = 4.0", "dt = 0"), ["dt", "0"]),
+            (RUN.replace("database", "data"), ["database", "missing"]),
+            (RUN.replace("0.8", "9.0"), ["9.0"]),
+        ):
+            self.refused(["simulate", self.path("r.toml", text)], *words)
+
+    def test_missing_and_damaged_files_are_named(self):
+        self.refused(["info", self.path("none.h5")], "none.h5")
+        with open(DATABASE, "rb") as file:
+            content = bytearray(file.read())
+        content[len(content) // 2] ^= 4
+        damaged = self.path("damaged.h5")
+        with open(damaged, "wb") as file:
+            file.write(content)
+        self.refused(["info", damaged], "damaged.h5")
+        self.refused(["info", self.path("text.h5", "hello")], "text.h5")
+
+    def test_nothing_is_left_behind_where_one_may_not_write(self):
+        self.refused(["rao", DATABASE, "--heading", "0", "-o", self.path("no/such/folder.csv")], "folder.csv")
+        ship = self.path("s.toml", SHIP)
+        self.refused(["solve", ship, "-o", self.path("no/such.h5")], "such.h5")
+        self.assertEqual(sorted(os.listdir(self.folder.name)), ["s.toml"])
+
+    def test_bad_ranges_are_named(self):
+        for bad in ("1", "1:2", "a:b:c", "2:1:5", "0:1:5", "0.1:1:0", "0.1:1:2.5"):
+            self.refused(["rao", DATABASE, "--heading", "0", "--omega", bad], "--omega", bad)
+        self.refused(["rao", DATABASE, "--heading", "0", "--omega", "5:9:2"], "9")
+        self.refused(["rao", DATABASE, "--heading", "0", "--speed", "3"], "speed", "3")
+
+
+unittest.main(argv=sys.argv[:1])
