@@ -29,10 +29,10 @@ enum class FrequencyLimit {
 ///     ½φ(x) + ∫ φ ∂G/∂n_ξ dS = ∫ G v dS,   v = ∂φ/∂n
 ///     G = −(1/4π)[1/R + 1/R₁ + K F(X, Y) − 2πiK e^{−Y}J₀(X)],   K = ω²/g
 /// collocated at panel centroids, φ and v constant on each panel. 1/R and 1/R₁ are integrated
-/// exactly, once, for all frequencies. The wave term takes one point of the source panel, 2 × 2 if
-/// the panel is long compared with the wave; where the image is near, its singular part −2 ln((R +
-/// Y)/2), whose integral does not depend on frequency, is split off and integrated once, and the
-/// rest takes 2 × 2.
+/// exactly, once, for all frequencies. The wave term takes n × n points of the source panel, n = 1
+/// where waves are long or lie far above, up to 4. In short waves K F becomes −2/R₁; that share is
+/// integrated exactly too, so that K → ∞ is atLimit(Infinite) panel by panel. Where the image is
+/// near and waves are long, the singular part −2 ln((R + Y)/2) is split off and integrated once.
 ///
 /// Symmetric hulls, [M03] (57)-(60): port panels only, D_even = D_pp + D_ps, D_odd = D_pp − D_ps.
 ///
@@ -76,8 +76,11 @@ class InfluenceMatrices {
   void addFarWaves(double K, std::array<InfluencePair<Complex>, 2>& systems) const;
   void addFarPair(int i, int j, bool mirrored, double K,
                   std::array<InfluencePair<Complex>, 2>& systems) const;
-  void addFarWave(int field, int source, bool mirrored, double K,
+  void addFarWave(int field, int source, bool mirrored, int n, double K,
                   std::array<InfluencePair<Complex>, 2>& systems) const;
+  const std::vector<QuadraturePoint>& points(int source, int n) const;
+  int pointsPerSide(int field, int source, double K) const;
+  RankineIntegrals imageOf(int field, int source, bool mirrored) const;
   void addNearWaves(double K, std::array<InfluencePair<Complex>, 2>& systems) const;
   void addWave(int field, int source, double K, const WaveIntegral& wave, bool mirrored,
                std::array<InfluencePair<Complex>, 2>& systems) const;
@@ -86,9 +89,11 @@ class InfluenceMatrices {
   int hull_, all_;             // n, n + m
   std::vector<Panel> panels_;  // hull, then lid
   std::vector<double> size_;   // diameter of each panel [m]
+  std::vector<double> top_;    // highest z of each panel [m]
   std::array<Rankine, 2> rankine_;
-  std::vector<std::vector<NearPair>> near_;               // of each source panel
-  std::vector<std::vector<QuadraturePoint>> fourPoints_;  // 2 × 2 on each source panel
+  std::vector<std::vector<NearPair>> near_;  // of each source panel
+  // n × n points on each source panel, n = 1 … 4
+  std::vector<std::array<std::vector<QuadraturePoint>, 4>> points_;
 };
 
 }  // namespace cutwater

@@ -40,7 +40,10 @@ void addSubdivided(const Vec3& x, const Vec3& image, const Panel& source, int de
 NearImage nearImage(const Vec3& x, const Panel& source, const RankinePanel& rankine) {
   NearImage sum;
   const Vec3 image(x.x(), x.y(), -x.z());
-  sum.inverse = rankine.at(image).potential;
+  const RankineIntegrals integrals = rankine.at(image);
+  sum.inverse = integrals.potential;
+  sum.inverseNormal = integrals.doubleLayer;
+  sum.distance = (source.centroid - image).norm();
   const double tiny = 1e-9 * rankine.radius();
   if (std::abs(x.z()) < tiny && std::abs(source.centroid.z()) < tiny &&
       source.normal.z() > 1 - 1e-12) {
@@ -71,10 +74,16 @@ WaveIntegral waveAtPoint(const Vec3& x, const Vec3& xi, const Vec3& n, double K)
 //   ∫ K F dS              = K Σ w (F + 2L) − 2K [∫ ln ρ dS + ln(K/2) ΔS]
 //   ∫ ∂(K F)/∂ζ dS        = −K² ∫ F_Y dS = K ∫ K F dS + 2K ∫ 1/R₁ dS
 //   ∫ n_h·∇(K F) dS       = K² Σ w (F_X + 2 L_X) n_h·e_h − 2K ∫ n_h·∇ ln ρ dS
-// F + 2L is continuous with value −2γ at R = 0; F_X + 2L_X is bounded.
+// F + 2L is continuous with value −2γ at R = 0; F_X + 2L_X is bounded. Where R is large,
+// F = −2/R − 2Y/R³ … and the logarithm would have to cancel; there
+//   ∫ K F dS              = K Σ w (F + 2/R) − 2 ∫ 1/R₁ dS
+//   ∫ ∂(K F)/∂n dS        = Σ w ∂(K F + 2/R₁)/∂n − 2 ∫ ∂(1/R₁)/∂n dS,
+// whose limit K → ∞ is the rest system with φ = 0 on z = 0, panel by panel.
 WaveIntegral nearWave(const Vec3& x, const NearImage& image, const Vec3& normal,
                       std::span<const QuadraturePoint> points, double K) {
   double area = 0.0, smooth = 0.0, smoothHorizontal = 0.0, oscillation = 0.0, oscillationX = 0.0;
+  double rest = 0.0, restNormal = 0.0;
+  const double share = inverseShare(K * image.distance);
   for (const QuadraturePoint& point : points) {
     const double dx = point.x.x() - x.x(), dy = point.x.y() - x.y();
     const double h = std::hypot(dx, dy), depth = -(x.z() + point.x.z());
@@ -89,14 +98,19 @@ WaveIntegral nearWave(const Vec3& x, const NearImage& image, const Vec3& normal,
     const double along = h > 0.0 ? point.weight * (normal.x() * dx + normal.y() * dy) / h : 0.0;
     smooth += point.weight * (w.F + 2.0 * std::log(0.5 * (R + Y)));
     smoothHorizontal += along * (w.FX + 2.0 * X / (R * (R + Y)));
+    rest += point.weight * (w.F + 2.0 / R);
+    restNormal += along * (w.FX - 2.0 * X / (R * R * R)) -
+                  point.weight * normal.z() * (w.FY - 2.0 * Y / (R * R * R));
     oscillation += point.weight * w.J0;
     oscillationX += along * w.J1;
   }
   const double value = K * (smooth - 2.0 * (image.log + std::log(0.5 * K) * area));
   const double vertical = K * value + 2.0 * K * image.inverse;
   const double horizontal = K * K * smoothHorizontal - 2.0 * K * image.logHorizontal;
-  return {value - kTwoPiI * K * oscillation,
-          horizontal + normal.z() * vertical +
+  const double shortValue = K * rest - 2.0 * image.inverse;
+  const double shortNormal = K * K * restNormal - 2.0 * image.inverseNormal;
+  return {std::lerp(value, shortValue, share) - kTwoPiI * K * oscillation,
+          std::lerp(horizontal + normal.z() * vertical, shortNormal, share) +
               kTwoPiI * K * K * (oscillationX - normal.z() * oscillation)};
 }
 

@@ -11,6 +11,8 @@ namespace cutwater {
 struct NearImage {
   double log = 0.0;            ///< ∫ ln ρ dS [m² ln m]
   double inverse = 0.0;        ///< ∫ 1/R₁ dS [m]
+  double inverseNormal = 0.0;  ///< ∫ ∂(1/R₁)/∂n dS [–]
+  double distance = 0.0;       ///< R₁ of the centroid [m]
   double logHorizontal = 0.0;  ///< ∫ n_h·∇_ξ ln ρ dS [m], n_h the horizontal part of the normal
 };
 
@@ -37,7 +39,16 @@ struct WavePoint {
 /// at the same place.
 WaveIntegral waveAtPoint(const Vec3& x, const Vec3& xi, const Vec3& n, double K);
 
-/// With the singular part exact and the rest, F + 2 ln((R + Y)/2), at the `points` of the panel.
+/// Share w of −2/R₁ taken out of K F and integrated exactly: 0 in long waves, 1 in short ones. Half
+/// at R = 4, where F + 2/R has become smooth on a panel as near as it is long.
+/// @param R = K R₁ of the panel's centroid.
+inline double inverseShare(double R) {
+  const double square = R * R / 16.0;
+  return square * square / (1.0 + square * square);
+}
+
+/// With the singular part exact and the rest at the `points` of the panel: the share w of −2/R₁,
+/// which is what K F becomes in short waves, else −2 ln((R + Y)/2).
 /// @param K [1/m].
 WaveIntegral nearWave(const Vec3& x, const NearImage& image, const Vec3& normal,
                       std::span<const QuadraturePoint> points, double K);

@@ -55,6 +55,10 @@ struct Coefficients {
   Mat6 addedMassZero = Mat6::Zero();  ///< A(0)
   Mat6 addedMassInf = Mat6::Zero();   ///< A(∞)
 
+  /// Highest frequency whose waves the panels resolve [rad/s]; A and B above it ring, and the
+  /// memory continues B by its tail from there. 0: not known, every frequency is taken as good.
+  double resolvedOmega = 0.0;
+
   /// Wave frequencies [rad/s] at which tables of excitation and RAOs are written unless others are
   /// asked for; increasing, within the range of `omega`. Empty: `omega` itself.
   std::vector<double> waveOmega;

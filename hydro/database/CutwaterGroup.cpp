@@ -174,6 +174,7 @@ void transfer(Store&& store, C& c) {
   store("provenance/settings", c.provenance.settings);
   store("omega", c.omega);
   store("wave_omega", c.waveOmega);
+  store("resolved_omega", c.resolvedOmega);
   store("added_mass", c.addedMass);
   store("damping", c.damping);
   store("added_mass_zero", c.addedMassZero);

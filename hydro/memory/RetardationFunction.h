@@ -59,7 +59,8 @@ class RetardationFunction {
 /// All 36 functions of a ship at U = 0. B is symmetrised first: it is symmetric but for the
 /// solver's discretisation error, the mean of B_jk and B_kj is the better value, and a symmetric
 /// positive B gives a memory that cannot create energy. Pairs that vanish by symmetry, |B_jk| below
-/// 1e-8 of √(B_jj B_kk) at their maxima, are left out.
+/// 1e-8 of √(B_jj B_kk) at their maxima, are left out. Frequencies above
+/// Coefficients::resolvedOmega are left to the tail.
 class RetardationMatrix {
  public:
   /// @throws HydroError as RetardationFunction.

@@ -34,11 +34,24 @@ double medianStep(const std::vector<double>& nodes) {
   return *middle;
 }
 
+/// How many of the frequencies the panels resolve; all, if that is not known or would leave too few
+/// to say anything.
+std::size_t resolvedCount(const Coefficients& coefficients) {
+  const auto& omega = coefficients.omega;
+  constexpr std::ptrdiff_t kLeast = 8;
+  const auto end = std::upper_bound(omega.begin(), omega.end(), coefficients.resolvedOmega);
+  const bool cut = coefficients.resolvedOmega > 0.0 && end - omega.begin() >= kLeast;
+  return cut ? static_cast<std::size_t>(end - omega.begin()) : omega.size();
+}
+
 }  // namespace
 
 RetardationMatrix::RetardationMatrix(const Coefficients& coefficients) {
   const Vec6 scale = dampingScale(coefficients);
-  const auto& matrices = coefficients.damping;
+  const std::size_t count = resolvedCount(coefficients);
+  const std::span omega(coefficients.omega.data(), count);
+  const std::span matrices(coefficients.damping.data(),
+                           std::min(count, coefficients.damping.size()));
   std::vector<double> values(matrices.size());
   for (int j = 0; j < 6; ++j) {
     for (int k = j; k < 6; ++k) {
@@ -48,7 +61,7 @@ RetardationMatrix::RetardationMatrix(const Coefficients& coefficients) {
         largest = std::isfinite(values[i]) ? std::max(largest, std::abs(values[i])) : HUGE_VAL;
       }
       if (largest <= kZeroPair * std::sqrt(scale(j) * scale(k)) && !values.empty()) continue;
-      entries_.push_back({j, k, RetardationFunction(coefficients.omega, values)});
+      entries_.push_back({j, k, RetardationFunction(omega, values)});
     }
   }
   duration_ = findDuration();
