@@ -36,6 +36,12 @@ void store(btScalar* axis, const btVector3& v, double factor) {
   for (int i = 0; i < 3; ++i) axis[i] = static_cast<btScalar>(factor) * v[i];
 }
 
+// J M⁻¹ Jᵀ of a row given in E.
+double response(const btRigidBody& body, const btVector3& linear, const btVector3& angular) {
+  return static_cast<double>(linear.length2() * body.getInvMass()) +
+         static_cast<double>(angular.dot(body.getInvInertiaTensorWorld() * angular));
+}
+
 // Equal but for the rounding with which Bullet renews a body's attitude each tick.
 bool same(const btMatrix3x3& a, const btMatrix3x3& b) {
   for (int i = 0; i < 3; ++i) {
@@ -100,7 +106,7 @@ void AddedMassConstraint::forgetPast() noexcept {
 }
 
 void AddedMassConstraint::setPast(const btVector3& linear, const btVector3& angular,
-                                  const Axes& axes) noexcept {
+                                  const btMatrix3x3& axes) noexcept {
   linear_ = linear;
   angular_ = angular;
   pastAxes_ = axes;
@@ -141,38 +147,38 @@ void AddedMassConstraint::pendingChange(Vec3& linear, Vec3& angular) const noexc
 
 // The water's momentum of the last solve in the axes of then, p = Σ l (J·v⁻) J; seen in the axes of
 // now it stands for the velocity x·p/l along row r, which differs from J·v⁻ by what is returned.
-Vec6 AddedMassConstraint::changeByTurning(const Axes& now) const noexcept {
+Vec6 AddedMassConstraint::changeByTurning(const btMatrix3x3& axesNow) const noexcept {
   Vec6 change = Vec6::Zero();
-  if (same(now.linear, pastAxes_.linear) && same(now.angular, pastAxes_.angular)) return change;
-  const Mat3 linearNow = fromBullet(now.linear), angularNow = fromBullet(now.angular);
-  const Mat3 linearThen = fromBullet(pastAxes_.linear), angularThen = fromBullet(pastAxes_.angular);
-  const Vec3 v = fromBullet(linear_), w = fromBullet(angular_);
-  const Vec3 vThen = linearThen.transpose() * v, wThen = angularThen.transpose() * w;
+  if (same(axesNow, pastAxes_)) return change;
+  const Mat3 toNow = fromBullet(axesNow).transpose(), toThen = fromBullet(pastAxes_).transpose();
+  const Vec3 linear = fromBullet(linear_), angular = fromBullet(angular_);
+  const Vec3 linearThen = toThen * linear, angularThen = toThen * angular;
   Vec3 momentum = Vec3::Zero(), moment = Vec3::Zero();
   for (int r = 0; r < count_; ++r) {
     const Row& row = rows_[static_cast<std::size_t>(r)];
-    const double share = row.ratio * (row.linear.dot(vThen) + row.angular.dot(wThen));
+    const double share = row.ratio * (row.linear.dot(linearThen) + row.angular.dot(angularThen));
     momentum += share * row.linear;
     moment += share * row.angular;
   }
-  momentum = linearNow.transpose() * linearThen * momentum;
-  moment = angularNow.transpose() * angularThen * moment;
-  const Vec3 vNow = linearNow.transpose() * v, wNow = angularNow.transpose() * w;
+  const Mat3 turn = toNow * toThen.transpose();
+  momentum = turn * momentum;
+  moment = turn * moment;
+  const Vec3 linearNow = toNow * linear, angularNow = toNow * angular;
   for (int r = 0; r < count_; ++r) {
     const Row& row = rows_[static_cast<std::size_t>(r)];
     change[r] = (row.linearX.dot(momentum) + row.angularX.dot(moment)) / row.ratio -
-                row.linear.dot(vNow) - row.angular.dot(wNow);
+                row.linear.dot(linearNow) - row.angular.dot(angularNow);
   }
   return change;
 }
 
-// We want λ = −l J(Δv_pending + Δv), Δv the solver's change so far, J M⁻¹ Jᵀ = 1. Bullet iterates
-//     λ += [e − J·Δv]/D − cfm·λ,    D = J₁M⁻¹J₁ᵀ + J₂M⁻¹J₂ᵀ,
-// on two bodies; ours are the same one, so only J₁ + J₂ = J acts while D is ours to choose. At rest
-// of the iteration cfm·D·λ = e − J·Δv: hence e = −J·Δv_pending (plus what turning changed) and
-// cfm·D = 1/l. One step from λ = 0 gives e/D and must be the answer e/(1 + 1/l): hence D = 1 + 1/l
-// and cfm = 1/(1 + l). With J₁ = (1+κ)J and J₂ = −κJ, D = 1 + 2κ + 2κ², so κ = (−1 + √(1 + 2/l))/2.
-// m_damping = 0 keeps Bullet from adding −J·v of the whole velocity to e.
+// We want λ = −l J(Δv_pending + Δv), Δv the solver's change so far; s = J M⁻¹ Jᵀ, 1 in body axes.
+// Bullet iterates   λ += [e − J·Δv]/D − cfm·λ,    D = J₁M⁻¹J₁ᵀ + J₂M⁻¹J₂ᵀ, on two bodies; ours are
+// the same one, so only J₁ + J₂ = J acts while D is ours to choose. At rest of the iteration
+// cfm·D·λ = e − J·Δv: hence e = −J·Δv_pending (plus what turning changed) and cfm·D = 1/l. One step
+// from λ = 0 gives e/D and must be the answer e/(s + 1/l): hence D = s + 1/l and cfm = 1/(1 + l s).
+// With J₁ = (1+κ)J and J₂ = −κJ, D = s(1 + 2κ + 2κ²), so κ = (−1 + √(1 + 2/(l s)))/2. m_damping = 0
+// keeps Bullet from adding −J·v of the whole velocity to e.
 void AddedMassConstraint::getInfo2(btConstraintInfo2* info) {
   Vec3 linear, angular;
   pendingChange(linear, angular);
@@ -181,9 +187,10 @@ void AddedMassConstraint::getInfo2(btConstraintInfo2* info) {
   info->m_damping = 0;
   for (int r = 0; r < count_; ++r) {
     const Row& row = rows_[static_cast<std::size_t>(r)];
-    const btVector3 j = solved_.linear * toBullet(row.linear);
-    const btVector3 k = solved_.angular * toBullet(row.angular);
-    const double kappa = 0.5 * (std::sqrt(1.0 + 2.0 / row.ratio) - 1.0);
+    const btVector3 j = solved_ * toBullet(row.linear);
+    const btVector3 k = solved_ * toBullet(row.angular);
+    const double ratio = row.ratio * (follows_ ? response(m_rbA, j, k) : 1.0);  // l s
+    const double kappa = 0.5 * (std::sqrt(1.0 + 2.0 / ratio) - 1.0);
     const int at = r * info->rowskip;
     store(info->m_J1linearAxis + at, j, 1.0 + kappa);
     store(info->m_J1angularAxis + at, k, 1.0 + kappa);
@@ -191,7 +198,7 @@ void AddedMassConstraint::getInfo2(btConstraintInfo2* info) {
     store(info->m_J2angularAxis + at, k, -kappa);
     info->m_constraintError[at] =
         static_cast<btScalar>(turning[r] - fromBullet(j).dot(linear) - fromBullet(k).dot(angular));
-    info->cfm[at] = static_cast<btScalar>(1.0 / (1.0 + row.ratio));
+    info->cfm[at] = static_cast<btScalar>(1.0 / (1.0 + ratio));
   }
 }
 

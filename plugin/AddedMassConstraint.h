@@ -9,15 +9,15 @@ CUTWATER_PLUGIN_BEGIN
 /// a scalar mass and three inertias only. Every impulse of the tick (gravity, loads, the user's
 /// forces, contacts, joints) then moves M + A∞ instead of M.
 ///     (M + A∞)(v⁺ − v⁻) = P      as      M(v⁺ − v⁻) = P + Σ_r J_rᵀλ_r,  λ_r = −l_r J_r(v⁺ − v⁻)
-///     A∞ x_r = l_r M x_r,  x_rᵀ M x_r = 1,  J_r = M x_r  in body axes, turned with the body; the
-/// linear half on request with axes of the caller's (follow), as a ship's does: it turns with her
-/// heading but does not heel with her. When the axes R turn, A∞ turns with them, and what acts is
-/// the rate of the water's momentum:
+///     A∞ x_r = l_r M x_r,  x_rᵀ M x_r = 1,  J_r = M x_r  in body axes, turned with the body, or
+/// with axes of the caller's (follow): a ship's turn with her heading but do not heel with her.
+/// When the axes R turn, A∞ turns with them, and what acts is the rate of the water's momentum:
 ///     force = −d(R A∞ Rᵀ v)/dt,  so that A∞ v⁻ above is the momentum p⁻ at the last solve.
 /// Over any motion that returns on itself it sums to nothing: a rolling and heaving ship does not
 /// drift by it, as she would with R A∞ Rᵀ dv/dt (roll times heave acceleration has a mean).
-/// J_r M⁻¹ J_sᵀ = δ_rs: without contacts one Gauss-Seidel pass is exact. With contacts or
-/// joints the sweeps converge as (l/(1+l))ⁿ against a much heavier partner; see iterationsFor().
+/// J_r M⁻¹ J_sᵀ = δ_rs (but for a heeled body's inertia in upright axes, where a few passes do):
+/// without contacts one Gauss-Seidel pass is exact. With contacts or joints the sweeps converge as
+/// (l/(1+l))ⁿ against a much heavier partner; see iterationsFor().
 ///
 /// v⁻ is the velocity after the last tick's solve, not that before this one, so that an impulse
 /// that a user applies between two ticks moves M + A∞ too. Call beginTick() before and endTick()
@@ -48,13 +48,9 @@ class AddedMassConstraint final : public btTypedConstraint {
   /// v⁻ [m/s], [rad/s] in E.
   const btVector3& linearVelocity() const noexcept { return linear_; }
   const btVector3& angularVelocity() const noexcept { return angular_; }
-  /// Axes of the two halves of A∞, R_E·.
-  struct Axes {
-    btMatrix3x3 linear, angular;
-  };
-  /// Those it had when v⁻ was solved for.
-  const Axes& pastAxes() const noexcept { return pastAxes_; }
-  void setPast(const btVector3& linear, const btVector3& angular, const Axes& axes) noexcept;
+  /// Axes of A∞, R_E·, when v⁻ was solved for.
+  const btMatrix3x3& pastAxes() const noexcept { return pastAxes_; }
+  void setPast(const btVector3& linear, const btVector3& angular, const btMatrix3x3& axes) noexcept;
 
   /// Force [N] and moment [N·m] about G in E that it applied, mean over the last tick: −A∞ dv/dt.
   Vec3 force() const noexcept;
@@ -78,19 +74,18 @@ class AddedMassConstraint final : public btTypedConstraint {
     Vec3 linearX, angularX;  // x = M⁻¹J
     double ratio;            // l
   };
-  Axes axes() const noexcept {
-    const btMatrix3x3& body = m_rbA.getWorldTransform().getBasis();
-    return {follows_ ? followed_ : body, body};
+  const btMatrix3x3& axes() const noexcept {
+    return follows_ ? followed_ : m_rbA.getWorldTransform().getBasis();
   }
   void pendingChange(Vec3& linear, Vec3& angular) const noexcept;
-  Vec6 changeByTurning(const Axes& now) const noexcept;
+  Vec6 changeByTurning(const btMatrix3x3& axesNow) const noexcept;
 
   std::array<Row, 6> rows_;
   int count_ = 0;
   btScalar step_ = 0;
   btVector3 linear_, angular_;  // v⁻ in E
-  Axes pastAxes_;               // of v⁻
-  Axes solved_;                 // of the solve under way
+  btMatrix3x3 pastAxes_;        // of v⁻
+  btMatrix3x3 solved_;          // of the solve under way
   btMatrix3x3 followed_;        // the caller's
   bool follows_ = false;
   btJointFeedback feedback_;

@@ -29,6 +29,9 @@ Vec6 rotated(const Mat3& linear, const Mat3& angular, const Vec6& v) {
 
 Mat3 attitudeOf(const btRigidBody& body) { return fromBullet(body.getWorldTransform().getBasis()); }
 
+// Axes with the ship's own heading, but upright: those of moments and of added mass.
+Mat3 headingOf(const btRigidBody& body) { return rotationZ(eulerAngles(attitudeOf(body)).z()); }
+
 Vec6 sixOf(const btVector3& linear, const btVector3& angular) {
   Vec6 result;
   result << fromBullet(linear), fromBullet(angular);
@@ -143,14 +146,14 @@ Mat3 Ship::toCourse() const noexcept { return rotationZ(-courseHeading_); }
 // at t_n − h/2, and (3 v_n − v_{n−1})/2 is second order at t_n. Blows since the last solve are not
 // in it.
 ShipMotion Ship::motionAt(double time) const noexcept {
-  const Mat3 course = toCourse(), attitude = attitudeOf(*body_);
+  const Mat3 course = toCourse(), toHeading = headingOf(*body_).transpose();
   const Vec3 mean(courseX_, courseY_, coefficients_.ship.cog.z());
   const Vec6 velocity = sixOf(addedMass_->linearVelocity(), addedMass_->angularVelocity());
   ShipMotion motion;
   motion.time = time;
-  motion.eta << course * (position() - mean), eulerAngles(course * attitude);
-  motion.etaDot = rotated(course, attitude.transpose(), velocity);
-  motion.etaDotNow = rotated(course, attitude.transpose(), 1.5 * velocity - 0.5 * velocityBefore_);
+  motion.eta << course * (position() - mean), eulerAngles(course * attitudeOf(*body_));
+  motion.etaDot = rotated(course, toHeading, velocity);
+  motion.etaDotNow = rotated(course, toHeading, 1.5 * velocity - 0.5 * velocityBefore_);
   motion.meanX = courseX_;
   motion.meanY = courseY_;
   return motion;
@@ -246,7 +249,7 @@ bool Ship::apply(btScalar step) noexcept {
       p.gravity + p.restoring + p.froudeKrylov + p.diffraction + p.radiation + p.supplementary;
   if (!loads.allFinite()) return false;
   const Vec6 impulse =
-      static_cast<double>(step) * rotated(rotationZ(courseHeading_), attitudeOf(*body_), loads);
+      static_cast<double>(step) * rotated(rotationZ(courseHeading_), headingOf(*body_), loads);
   const btVector3 weightChange = gravityForce(*body_) * body_->getInvMass() * step;
   body_->setLinearVelocity(body_->getLinearVelocity() - weightChange);
   body_->applyCentralImpulse(toBullet(impulse.head<3>()));
@@ -271,8 +274,9 @@ std::uint32_t Ship::beginTick(double time, btScalar step) noexcept {
   record_.time = time;
   record_.position = position();
   record_.attitude = attitude();
-  record_.velocity = rotated(attitudeOf(*body_).transpose() * rotationZ(courseHeading_),
-                             Mat3::Identity(), motion.etaDotNow);
+  const Mat3 toBody = attitudeOf(*body_).transpose();
+  record_.velocity =
+      rotated(toBody * rotationZ(courseHeading_), toBody * headingOf(*body_), motion.etaDotNow);
   record_.wave = sea_.elevation(time, record_.position.x(), record_.position.y());
   evaluate(motion);
   if (!apply(step)) faults |= kLoadNotFinite;
@@ -281,12 +285,9 @@ std::uint32_t Ship::beginTick(double time, btScalar step) noexcept {
   return faults;
 }
 
-// The linear half of A∞ follows her heading, not her heel: forces of linear theory are in
-// horizontal axes; turned with a hull that rolls, heave would excite sway at second order.
-void Ship::turnAddedMass() noexcept {
-  const Mat3 axes = rotationZ(attitude().z());
-  addedMass_->follow(toBulletBasis(axes));
-}
+// A∞ follows her heading, not her heel: it belongs to the upright axes of linear theory, as K and C
+// do; turned with a hull that rolls, heave would excite sway at second order.
+void Ship::turnAddedMass() noexcept { addedMass_->follow(toBulletBasis(headingOf(*body_))); }
 
 void Ship::endTick() noexcept {
   if (!addedMass_->isEnabled()) return;
@@ -294,7 +295,7 @@ void Ship::endTick() noexcept {
   addedMass_->endTick();
   record_.forces.addedMass << addedMass_->force(), addedMass_->moment();
   record_.forces.addedMass =
-      rotated(toCourse(), attitudeOf(*body_).transpose(), record_.forces.addedMass);
+      rotated(toCourse(), headingOf(*body_).transpose(), record_.forces.addedMass);
 }
 
 CUTWATER_PLUGIN_END

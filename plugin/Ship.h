@@ -25,8 +25,9 @@ struct ShipSettings {
   btCollisionShape* shape = nullptr;
 };
 
-/// Loads on a ship over one tick, by part: force [N] in H, moment [N·m] about G in B.
-/// What contacts, joints and the user add is not here. gravity + restoring = −C η.
+/// Loads on a ship over one tick, by part: force [N] in H; moment [N·m] about G in upright axes
+/// with her own heading, to first order H. What contacts, joints and the user add is not here.
+/// gravity + restoring = −C η.
 struct ForceParts {
   Vec6 gravity = Vec6::Zero();       ///< Bullet's, on this body
   Vec6 restoring = Vec6::Zero();     ///< calm water: what balances gravity at rest, − C η
@@ -53,11 +54,11 @@ struct TickRecord {
 Vec3 eulerAngles(const Mat3& rotation) noexcept;
 
 /// One ship: a btRigidBody and the hydrodynamic loads on it. Made by Seaway::addShip.
-/// Forces act in H, moments in B, and η̇ is taken alike: velocity in H, angular velocity in B. To
-/// first order that is linear theory's H throughout, and power is force times velocity exactly.
-/// Moments in H would turn a ship's small roll inertia and her large yaw inertia against each
-/// other: at 3° of yaw they exceed roll's own. Rotations of more than some 20 degrees are outside
-/// the linear theory; loads stay finite.
+/// Forces act in H; moments, and A∞, in upright axes with her own heading (R_z of her yaw), and
+/// velocities are taken alike, so that power is force times velocity. To first order that is H
+/// throughout. Moments in H would set a ship's small roll inertia against her large yaw inertia: at
+/// 3° of yaw their product exceeds roll's own; in body axes a heeled ship's pitch moment would turn
+/// her. Rotations of more than some 20 degrees are outside the linear theory; loads stay finite.
 class Ship {
  public:
   /// Use Seaway::addShip. Coefficients, sea, world and `own` (null: a body is made) must outlive
@@ -92,7 +93,7 @@ class Ship {
     btTransform transform, interpolated;
     std::array<btVector3, 4> velocities;  // linear, angular; interpolated
     std::array<btVector3, 2> past;        // v⁻
-    AddedMassConstraint::Axes pastAxes;   // of A∞ at v⁻
+    btMatrix3x3 pastAxes;                 // of A∞ at v⁻
     Vec6 before;
     std::array<double, 3> course;
     std::optional<Convolution::Snapshot> memory;
