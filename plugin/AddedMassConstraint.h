@@ -27,7 +27,7 @@ CUTWATER_PLUGIN_BEGIN
 class AddedMassConstraint final : public btTypedConstraint {
  public:
   /// @param body      a dynamic body; keeps its own mass and inertia; must outlive this object.
-  /// @param addedMass A∞ [kg, kg·m, kg·m²] about the centre of mass in body axes B, any 6×6: its
+  /// @param addedMass A∞ [kg, kg·m, kg·m²] about the centre of mass in body axes (of the axes followed), any 6×6: its
   ///                  antisymmetric part (discretisation error) is dropped, negative l are clipped.
   /// @throws HydroError ValueOutOfRange: A∞ not finite, or the body is static.
   AddedMassConstraint(btRigidBody& body, const Mat6& addedMass);
@@ -52,7 +52,7 @@ class AddedMassConstraint final : public btTypedConstraint {
   const btMatrix3x3& pastAxes() const noexcept { return pastAxes_; }
   void setPast(const btVector3& linear, const btVector3& angular, const btMatrix3x3& axes) noexcept;
 
-  /// Force [N] and moment [N·m] about G in E that it applied, mean over the last tick: −A∞ dv/dt.
+  /// Force [N] and moment [N·m] about G in E that it applied, mean over the last tick: −d(R A∞ Rᵀ v)/dt.
   Vec3 force() const noexcept;
   Vec3 moment() const noexcept;
 

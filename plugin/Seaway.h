@@ -20,11 +20,11 @@ class TickObserver {
 /// Waves and ships in a stock Bullet world: discrete, multi-body, soft-rigid or Mt.
 ///
 ///     btDiscreteDynamicsWorld world(...);
-///     world.setGravity({0, 0, -9.81});                              // z up, metres, calm water at
-///     z = 0 const auto frigate = cutwater::readCoefficients("frigate.h5"); cutwater::Seaway
-///     seaway(world, cutwater::SeaState(components, 9.81)); auto& ship = seaway.addShip(frigate,
-///     {.x = 0, .y = 0, .heading = 0.5}); while (running) world.stepSimulation(frame, 4, 1.0 / 60);
-///     // ship.body() moves
+///     world.setGravity({0, 0, -9.81});   // z up, metres, calm water at z = 0
+///     const auto frigate = cutwater::readCoefficients("frigate.h5");
+///     cutwater::Seaway seaway(world, cutwater::SeaState(components, 9.81));
+///     auto& ship = seaway.addShip(frigate, {.x = 0, .y = 0, .heading = 0.5});
+///     while (running) world.stepSimulation(frame, 4, 1.0 / 60);   // ship.body() moves
 ///
 /// All loads come from one evaluation per internal tick, so results do not depend on how ticks are
 /// grouped into stepSimulation calls. The tick should be fixed: another length restarts the memory
@@ -34,8 +34,7 @@ class TickObserver {
 class Seaway final : private TickListener {
  public:
   /// @param world must outlive the Seaway.  @param sea is copied.
-  /// @throws HydroError SolverNotSupported: btMLCPSolver treats a constraint whose two bodies are
-  /// one as
+  /// @throws HydroError SolverNotSupported: btMLCPSolver treats a constraint whose two bodies are one as
   ///         two bodies and ignores its softness, so that M + A∞ would be wrong in contacts;
   ///         BadArgument: the world has a Seaway.
   explicit Seaway(btDiscreteDynamicsWorld& world, SeaState sea = {});

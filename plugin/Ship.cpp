@@ -189,6 +189,7 @@ Ship::Snapshot Ship::save() const {
   s.past = {addedMass_->linearVelocity(), addedMass_->angularVelocity()};
   s.pastAxes = addedMass_->pastAxes();
   s.before = velocityBefore_;
+  s.record = record_;
   s.course = {courseX_, courseY_, courseHeading_};
   if (radiation_) s.memory = radiation_->memory().save();
   return s;
@@ -212,6 +213,7 @@ void Ship::restore(const Snapshot& s) {
   body_->setInterpolationAngularVelocity(s.velocities[3]);
   addedMass_->setPast(s.past[0], s.past[1], s.pastAxes);
   velocityBefore_ = s.before;
+  record_ = s.record;
 }
 
 void Ship::prepare(double step) { radiation_.emplace(coefficients_, step); }
@@ -247,11 +249,11 @@ bool Ship::apply(btScalar step) noexcept {
   const ForceParts& p = record_.forces;
   const Vec6 loads =
       p.gravity + p.restoring + p.froudeKrylov + p.diffraction + p.radiation + p.supplementary;
-  if (!loads.allFinite()) return false;
+  const btVector3 weightChange = gravityForce(*body_) * body_->getInvMass() * step;
+  if (finite(weightChange)) body_->setLinearVelocity(body_->getLinearVelocity() - weightChange);
+  if (!loads.allFinite()) return false;  // without loads, but carried
   const Vec6 impulse =
       static_cast<double>(step) * rotated(rotationZ(courseHeading_), headingOf(*body_), loads);
-  const btVector3 weightChange = gravityForce(*body_) * body_->getInvMass() * step;
-  body_->setLinearVelocity(body_->getLinearVelocity() - weightChange);
   body_->applyCentralImpulse(toBullet(impulse.head<3>()));
   body_->applyTorqueImpulse(toBullet(impulse.tail<3>()));
   return true;
@@ -268,6 +270,12 @@ std::uint32_t Ship::beginTick(double time, btScalar step) noexcept {
   if (!(body_->getInvMass() > 0)) return kStepOk;  // held still by the user for now
   if (!stateFinite(*body_)) return kStateNotFinite;
   std::uint32_t faults = matchTick(static_cast<double>(step));
+  if (!finite(addedMass_->linearVelocity()) || !finite(addedMass_->angularVelocity())) {
+    // The last solve went wrong and the user has mended the body since: her past is gone.
+    resetVelocity(fromBullet(body_->getLinearVelocity()), fromBullet(body_->getAngularVelocity()));
+    if (radiation_) radiation_->memory().reset();
+    faults |= kStateNotFinite;
+  }
   body_->setDamping(0, 0);
   body_->forceActivationState(DISABLE_DEACTIVATION);
   const ShipMotion motion = motionAt(time);

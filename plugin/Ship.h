@@ -34,7 +34,7 @@ struct ForceParts {
   Vec6 froudeKrylov = Vec6::Zero();  ///< of the undisturbed waves
   Vec6 diffraction = Vec6::Zero();
   Vec6 radiation = Vec6::Zero();  ///< memory of the waves radiated, −∫K η̇ dτ
-  Vec6 addedMass = Vec6::Zero();  ///< −A∞ dv/dt, as the solver applied it
+  Vec6 addedMass = Vec6::Zero();  ///< −d(A∞ v)/dt, as the solver applied it
   Vec6 supplementary = Vec6::Zero();
 };
 
@@ -88,13 +88,15 @@ class Ship {
   /// ShipSettings.
   void placeAt(double x, double y, double heading, const Vec6& offset = Vec6::Zero());
 
-  /// Exact state. What Bullet itself remembers (contact caches) is not in it.
+  /// Exact state. What Bullet itself remembers is not in it: contact caches, forces not yet applied,
+  /// the part of a frame that is less than a tick.
   struct Snapshot {
     btTransform transform, interpolated;
     std::array<btVector3, 4> velocities;  // linear, angular; interpolated
     std::array<btVector3, 2> past;        // v⁻
     btMatrix3x3 pastAxes;                 // of A∞ at v⁻
     Vec6 before;
+    TickRecord record;
     std::array<double, 3> course;
     std::optional<Convolution::Snapshot> memory;
   };

@@ -37,7 +37,8 @@ void enter(btDynamicsWorld& world, WorldHook& hook) {
   }
   Entry* entry = find(nullptr);  // one that is free again
   if (entry == nullptr) {
-    static std::vector<std::unique_ptr<Entry>> owned;
+    // Never freed: a Seaway of static storage may end after anything we could own them by.
+    static auto& owned = *new std::vector<std::unique_ptr<Entry>>;
     entry = owned.emplace_back(std::make_unique<Entry>()).get();
     entry->next = first.load(std::memory_order_relaxed);
     first.store(entry, std::memory_order_release);

@@ -80,6 +80,7 @@ void info(const std::string& database, const std::string& out) {
   number("frequencies", static_cast<double>(c.omega.size()), "");
   number("omega_first", c.omega.front(), "rad/s");
   number("omega_last", c.omega.back(), "rad/s");
+  number("omega_resolved", c.resolvedOmega, "rad/s");
   number("headings", static_cast<double>(c.headings.size()), "");
   for (std::size_t i = 0; i < c.headings.size(); ++i) {
     number(fmt::format("heading_{}", i + 1), c.headings[i] * 180.0 / kPi, "deg");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -115,6 +116,18 @@ void readSolve(TomlSection solve, ShipFile& ship) {
   for (const double degrees : solve.numbers("headings_deg", {180.0}, -360.0, 360.0)) {
     ship.solve.headings.push_back(degrees * kDegree);
   }
+  // Each direction once: 0 and 360 are one column of the table.
+  std::sort(ship.solve.headings.begin(), ship.solve.headings.end());
+  const auto same = [](double a, double b) {
+    return std::abs(std::remainder(a - b, 2.0 * kPi)) < 1e-9;
+  };
+  std::vector<double> distinct;
+  for (const double heading : ship.solve.headings) {
+    const bool known = std::any_of(distinct.begin(), distinct.end(),
+                                   [&](double other) { return same(heading, other); });
+    if (!known) distinct.push_back(heading);
+  }
+  ship.solve.headings = distinct;
   ship.solve.lid = solve.boolean("lid", true);
   refuseOtherMethods(solve);
   solve.finish();

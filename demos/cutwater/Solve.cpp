@@ -8,7 +8,7 @@
 #include "demos/cutwater/ShipFile.h"
 #include "hydro/Errors.h"
 #include "hydro/database/CoefficientsFile.h"
-#include "hydro/memory/RetardationFunction.h"
+#include "hydro/memory/ConsistentLimit.h"
 
 namespace cutwater::command {
 
@@ -33,9 +33,16 @@ void solve(const std::string& path, const std::string& database, int threads) {
              ship.particulars.wetSurface.faces.size(), ship.particulars.symmetric ? " a side" : "",
              ship.solve.omega.size(), ship.solve.headings.size());
   Progress progress("solve");
-  Coefficients coefficients = buildCoefficients(
-      ship.particulars, ship.solve, [&progress](int done, int total) { progress.at(done, total); });
+  Coefficients coefficients = withConsistentLimit(
+      buildCoefficients(ship.particulars, ship.solve,
+                        [&progress](int done, int total) { progress.at(done, total); }));
   coefficients.waveOmega = ship.waveOmega;
+  if (coefficients.resolvedOmega > 0.0 && coefficients.resolvedOmega < ship.waveOmega.back()) {
+    warn(
+        fmt::format("{}: the panels resolve waves up to {:.2f} rad/s only, wave_omega ends at "
+                    "{:.2f}; use a finer mesh",
+                    path, coefficients.resolvedOmega, ship.waveOmega.back()));
+  }
   constexpr double kStep = 0.05, kDuration = 30.0;  // of K for the readers of BEMIO [s]
   writeCoefficients(coefficients, database,
                     RetardationMatrix(coefficients).table(kStep, kDuration));

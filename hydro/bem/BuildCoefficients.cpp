@@ -71,9 +71,9 @@ std::string hashOf(const SurfaceMesh& mesh) {
 }
 
 /// Highest frequency whose waves the panels at calm water resolve: K ℓ = 4, ℓ the longest edge of
-/// the lid, without lid of the waterline. On the frigate at 224, 433 and 1040 panels a side, with
-/// lids of ℓ = 5.2 to 1.0 m, the first ringing of A and B came at K ℓ = 4.1 to 4.4; a square panel
-/// of side ℓ is half a wave at π, and at √2 π along its diagonal.
+/// the lid, without lid of the waterline. On the frigate of 433 panels a side with two lids and of
+/// 1040 with one, the first ringing of A and B came at K ℓ = 4.1 to 4.4; a square panel of side ℓ
+/// is half a wave at π, and at √2 π along its diagonal.
 double resolved(const PanelMesh& mesh, double gravity) {
   const bool lid = !mesh.lid.empty();
   double longest = 0.0;

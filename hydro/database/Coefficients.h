@@ -63,6 +63,10 @@ struct Coefficients {
   /// asked for; increasing, within the range of `omega`. Empty: `omega` itself.
   std::vector<double> waveOmega;
 
+  /// A(∞) of the ω = ∞ boundary value problem itself, where `addedMassInf` holds the better value
+  /// that follows from A(ω) and B(ω) (memory/ConsistentLimit.h); zero if it does not.
+  Mat6 addedMassInfDirect = Mat6::Zero();
+
   /// ∂A, ∂B: the x-derivative integrals of theory section 1; empty if not computed.
   std::vector<Mat6> addedMassX, dampingX;
   Mat6 addedMassXZero = Mat6::Zero(), addedMassXInf = Mat6::Zero();

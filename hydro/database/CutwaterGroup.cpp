@@ -179,6 +179,7 @@ void transfer(Store&& store, C& c) {
   store("damping", c.damping);
   store("added_mass_zero", c.addedMassZero);
   store("added_mass_inf", c.addedMassInf);
+  store("added_mass_inf_direct", c.addedMassInfDirect);
   store("added_mass_x", c.addedMassX);
   store("damping_x", c.dampingX);
   store("added_mass_x_zero", c.addedMassXZero);

@@ -3,7 +3,8 @@
 
 namespace cutwater {
 
-/// Motion of a ship about its mean course at one tick. Frame H (Conventions.h).
+/// Motion of a ship about its mean course at one tick. Frame H (Conventions.h); angular velocities, and
+/// the moments that answer them, in upright axes with the ship's own heading, to first order H.
 struct ShipMotion {
   double time = 0.0;                ///< t_n [s]
   Vec6 eta = Vec6::Zero();          ///< surge, sway, heave [m] of G; roll, pitch, yaw [rad], at t_n

@@ -12,24 +12,29 @@ namespace cutwater {
 
 namespace {
 
-// The two columns of a table of headings that bracket β, and the weight of the second; headings are
-// taken modulo 2π, and a symmetric hull's −β is β with the odd modes reversed.
+// The two columns of a table of headings that stand on either side of β, and the weight of the second.
+// Headings are angles: in any order, modulo 2π.
 struct Bracket {
   std::size_t low, high;
   double weight;
 };
 
-Bracket bracket(const std::vector<double>& headings, double beta) {
-  const auto high = std::lower_bound(headings.begin(), headings.end(), beta - 1e-9);
-  const auto index = static_cast<std::size_t>(high - headings.begin());
-  if (high == headings.end() || (index == 0 && headings[0] > beta + 1e-9)) {
-    throw HydroError(Fault::ValueOutOfRange,
-                     "WaveExcitation: heading " + std::to_string(beta * 180.0 / kPi) +
-                         " deg is outside the database's table, which has no adjoint vectors");
+bool bracket(const std::vector<double>& headings, double beta, Bracket& found) {
+  constexpr double kSame = 1e-9, kWidest = 0.5 * kPi + kSame;
+  double below = -1e9, above = 1e9;
+  for (std::size_t i = 0; i < headings.size(); ++i) {
+    const double distance = std::remainder(headings[i] - beta, 2.0 * kPi);
+    if (distance <= kSame && distance > below) {
+      below = distance;
+      found.low = i;
+    }
+    if (distance >= -kSame && distance < above) {
+      above = distance;
+      found.high = i;
+    }
   }
-  if (index == 0) return {0, 0, 0.0};
-  const double width = headings[index] - headings[index - 1];
-  return {index - 1, index, (beta - headings[index - 1]) / width};
+  found.weight = above - below > kSame ? -below / (above - below) : 0.0;
+  return above - below < kWidest;
 }
 
 CVec6 reversedOddModes(const CVec6& force) {
@@ -72,11 +77,17 @@ WaveExcitation::Force WaveExcitation::fromTable(double omega, double heading) co
     throw HydroError(Fault::DatabaseIncomplete,
                      "WaveExcitation: the database has no wave excitation");
   }
-  // To [0, 2π); what a table of 0..π of a symmetric hull lacks is its mirror image.
-  double beta = std::remainder(heading, 2.0 * kPi);
-  if (beta < c.headings.front() - 1e-9 && !c.ship.symmetric) beta += 2.0 * kPi;
-  const bool mirrored = c.ship.symmetric && beta < 0.0 && beta < c.headings.front() - 1e-9;
-  const Bracket b = bracket(c.headings, mirrored ? -beta : beta);
+  // What a table of one side of a symmetric hull lacks is its mirror image.
+  Bracket b{};
+  bool mirrored = false;
+  if (!bracket(c.headings, heading, b)) {
+    mirrored = c.ship.symmetric && bracket(c.headings, -heading, b);
+    if (!mirrored) {
+      throw HydroError(Fault::ValueOutOfRange,
+                       "WaveExcitation: heading " + std::to_string(heading * 180.0 / kPi) +
+                           " deg is outside the database's table, which has no adjoint vectors");
+    }
+  }
   const double solved = std::clamp(omega, c.omega.front(), c.omega.back());
   const LocalCubic cubic = localCubic(c.omega, solved);
   Force force;

@@ -23,7 +23,7 @@ class WaveExcitation {
   explicit WaveExcitation(const Coefficients& coefficients);
 
   /// @param omega ω_I [rad/s], 0 < ω ≤ the database's last frequency. Below its first one F_D falls
-  ///              as ω², its limit for long waves.
+  ///              as ω², its limit for long waves (a table without adjoint vectors is held there).
   /// @param heading β [rad], any.
   /// @throws HydroError ValueOutOfRange, DatabaseIncomplete (no excitation in the file).
   Force at(double omega, double heading) const;

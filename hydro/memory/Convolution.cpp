@@ -93,7 +93,7 @@ Vec6 Convolution::advance(const Vec6& etaDot) noexcept {
 void Convolution::reset() noexcept { std::fill(past_.begin(), past_.end(), 0.0); }
 
 Convolution::Snapshot Convolution::save() const {
-  Snapshot snapshot{std::vector<Vec6>(ring_), next_};
+  Snapshot snapshot{std::vector<Vec6>(ring_), next_, step_};
   for (std::size_t i = 0; i < ring_; ++i) {
     for (std::size_t mode = 0; mode < 6; ++mode) {
       snapshot.past[i](static_cast<int>(mode)) = past_[mode * 2 * ring_ + i];
@@ -103,11 +103,12 @@ Convolution::Snapshot Convolution::save() const {
 }
 
 void Convolution::restore(const Snapshot& snapshot) {
-  if (snapshot.past.size() != ring_ || snapshot.next >= ring_) {
-    throw HydroError(Fault::BadArgument,
-                     fmt::format("Convolution::restore: snapshot of {} ticks at place {}, this "
-                                 "memory has {}",
-                                 snapshot.past.size(), snapshot.next, ring_));
+  if (snapshot.past.size() != ring_ || snapshot.next >= ring_ || snapshot.step != step_) {
+    throw HydroError(
+        Fault::BadArgument,
+        fmt::format("Convolution::restore: snapshot of {} ticks of {} s at place {}, this "
+                    "memory has {} of {} s",
+                    snapshot.past.size(), snapshot.step, snapshot.next, ring_, step_));
   }
   for (std::size_t i = 0; i < ring_; ++i) {
     for (int mode = 0; mode < 6; ++mode) {

@@ -39,9 +39,10 @@ class Convolution {
   struct Snapshot {
     std::vector<Vec6> past;  ///< η̇ by place in the ring
     std::size_t next = 0;    ///< place of the newest; older ones follow, cyclically
+    double step = 0.0;       ///< h [s]
   };
   Snapshot save() const;
-  /// @throws HydroError BadArgument if it was taken with another length.
+  /// @throws HydroError BadArgument if it was taken with another length or tick.
   void restore(const Snapshot& snapshot);
 
  private:

@@ -1,0 +1,31 @@
+#pragma once
+#include "hydro/memory/RetardationFunction.h"
+
+namespace cutwater {
+
+/// A(∞) as A(ω) and B(ω) give it at finite frequencies,
+///     A(∞) = A(ω) + (1/ω)∫₀^∞ K sin ωτ dτ                                     [Ogilvie 1964]
+/// averaged over ω from 0.3 Ω' to 0.6 Ω', Ω' the last frequency the memory uses. At ω = ∞ itself
+/// the pressure of sway goes as z ln z at the waterline and one value a panel leaves an error of
+/// first order in the depth of the uppermost panels (frigate, 433 panels a side: 4 %, twice that at
+/// finite ω); and only with this A(∞) do A(∞) and K together give back the solver's A(ω), so that
+/// time and frequency domain agree.
+struct ConsistentLimit {
+  Mat6 addedMassInf = Mat6::Zero();  ///< symmetric [kg, kg·m, kg·m²]
+  /// Largest |value at one ω − mean| over √(A_jj A_kk), all pairs: small if A, B and the tail
+  /// belong together.
+  double scatter = 0.0;
+  /// The same distance of the ω = ∞ solution from the mean.
+  double distance = 0.0;
+  /// Scatter below 2 % and distance below 10 %: the data reach far enough, nothing is badly wrong.
+  bool trusted = false;
+};
+
+/// @throws HydroError as RetardationMatrix.
+ConsistentLimit consistentLimit(const Coefficients& coefficients);
+
+/// The same coefficients with the consistent A(∞) as `addedMassInf` and the solver's own kept as
+/// `addedMassInfDirect`, if it is to be trusted; else unchanged.
+Coefficients withConsistentLimit(Coefficients coefficients);
+
+}  // namespace cutwater
