@@ -1,5 +1,5 @@
 // A ship in a plain Bullet scene: hello_ship DATABASE.h5 [OUT.csv]
-// Look for: she rolls and heaves in the beam sea for a minute and stays where she is.
+// Look for: she rolls and heaves in the beam sea for a minute and stays about where she is.
 #include <btBulletDynamicsCommon.h>
 
 #include <cstdio>

@@ -15,7 +15,8 @@ struct RecorderSettings {
 ///   t,x,y,z,roll_deg,pitch_deg,yaw_deg,u,v,w,p,q,r,wave
 /// and with forces <part>_F1 … <part>_F6 for gravity, restoring, froude_krylov, diffraction,
 /// radiation, added_mass, supplementary. A row is the state at t_n and the loads evaluated from it
-/// (TickRecord): x, y, z of G [m] in E; u … r [m/s, rad/s] in B; forces [N, N·m] about G in H.
+/// (TickRecord): x, y, z of G [m] in E; u … r [m/s, rad/s] in B; forces [N] in H, moments [N·m] about
+/// G in upright axes with her own heading (ForceParts).
 /// Memory grows by 8 bytes a number; reserve() keeps it from being allocated within ticks.
 class Recorder final : private TickObserver {
  public:

@@ -27,6 +27,8 @@ std::vector<double> omegaList(const std::string& range, const std::vector<double
 const std::vector<double>& defaultWaveOmega(const Coefficients& coefficients);
 /// Refuses any speed but 0, which is all this version computes.
 void requireZeroSpeed(double speed);
+/// β [rad] of a --heading in degrees. @throws HydroError BadArgument beyond two turns.
+double headingRadians(double degrees);
 /// One line on stderr, nothing if empty.
 void warn(const std::string& line);
 

@@ -51,6 +51,14 @@ void requireZeroSpeed(double speed) {
                    fmt::format("--speed {}: only 0 is possible in this version", speed));
 }
 
+double headingRadians(double degrees) {
+  if (!(std::abs(degrees) <= 720.0)) {
+    throw HydroError(Fault::BadArgument,
+                     fmt::format("--heading {}: must be in -720..720 degrees", degrees));
+  }
+  return degrees * kPi / 180.0;
+}
+
 void warn(const std::string& line) {
   if (!line.empty()) fmt::print(stderr, "cutwater: warning: {}\n", line);
 }

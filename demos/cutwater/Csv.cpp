@@ -26,23 +26,39 @@ void Csv::row(const std::vector<double>& values, const std::string& prefix) {
   text_ += '\n';
 }
 
-void Csv::write(const std::string& path) const {
+namespace fs = std::filesystem;
+
+void writeText(const std::string& text, const std::string& path) {
+  const auto refuse = [&](const std::string& file) {
+    throw HydroError(Fault::FileNotWritable, file + ": cannot be written");
+  };
   if (path.empty()) {
-    if (std::fwrite(text_.data(), 1, text_.size(), stdout) != text_.size() ||
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() ||
         std::fflush(stdout) != 0) {
-      throw HydroError(Fault::FileNotWritable, "stdout: cannot be written");
+      refuse("stdout");
     }
     return;
   }
-  const std::string temporary = path + fmt::format(".tmp{}", getpid());
-  std::ofstream file(temporary, std::ios::binary);
-  file << text_;
-  file.close();
   std::error_code error;
-  if (file) std::filesystem::rename(temporary, path, error);
-  if (!file || error) {
-    std::filesystem::remove(temporary, error);
-    throw HydroError(Fault::FileNotWritable, path + ": cannot be written");
+  const bool asItIs = fs::exists(path, error) && !fs::is_regular_file(path, error);
+  const fs::path target = fs::is_symlink(path, error) ? fs::canonical(path, error) : fs::path(path);
+  const fs::path first =
+      asItIs ? target : fs::path(target.string() + fmt::format(".tmp{}", getpid()));
+  std::ofstream file(first, std::ios::binary);
+  file << text;
+  file.close();
+  if (file && !asItIs) fs::rename(first, target, error);
+  if (file && !error) return;
+  if (!asItIs) fs::remove(first, error);
+  refuse(path);
+}
+
+void requireWritable(const std::string& path) {
+  if (path.empty()) return;
+  const auto folder = fs::absolute(path).parent_path();
+  if (fs::is_directory(path) || access(folder.c_str(), W_OK) != 0) {
+    throw HydroError(Fault::FileNotWritable,
+                     path + ": cannot be written (no such folder, or no permission)");
   }
 }
 

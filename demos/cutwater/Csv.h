@@ -5,6 +5,14 @@
 
 namespace cutwater::command {
 
+/// Writes `text` to stdout if `path` is empty; to a regular file (or what a link points at) under a temporary
+/// name first, then renamed; to a device or pipe as it is.
+/// @throws HydroError FileNotWritable.
+void writeText(const std::string& text, const std::string& path);
+
+/// Refuses a file that cannot be written, before work whose result it is to hold. @throws as writeText.
+void requireWritable(const std::string& path);
+
 /// A CSV table in memory: one header line, then rows; written whole or not at all.
 class Csv {
  public:
@@ -13,9 +21,8 @@ class Csv {
   void row(const std::vector<double>& values, const std::string& prefix = "");
   /// A line as it is.
   void line(const std::string& text) { text_ += text + "\n"; }
-  /// To `path` through a temporary name beside it, or to stdout if `path` is empty.
-  /// @throws HydroError FileNotWritable.
-  void write(const std::string& path) const;
+  /// writeText of the whole.
+  void write(const std::string& path) const { writeText(text_, path); }
 
  private:
   std::string text_;

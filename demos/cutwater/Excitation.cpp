@@ -12,9 +12,10 @@ void excitation(const std::string& database, double speed, double headingDeg,
   const Coefficients coefficients = readCoefficients(database, &warning);
   warn(warning);
   const WaveExcitation waves(coefficients);
+  const double heading = headingRadians(headingDeg);
   Csv csv("omega,omega_e,j,fk_re,fk_im,diff_re,diff_im");
   for (const double omega : omegaList(omegaRange, defaultWaveOmega(coefficients))) {
-    const WaveExcitation::Force force = waves.at(omega, headingDeg * kPi / 180.0);
+    const WaveExcitation::Force force = waves.at(omega, heading);
     for (int j = 0; j < 6; ++j) {
       const Complex fk = force.froudeKrylov[j], diffraction = force.diffraction[j];
       csv.row(

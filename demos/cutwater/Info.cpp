@@ -66,6 +66,14 @@ double asymmetry(const std::vector<Mat6>& table) {
   return 100.0 * worst;
 }
 
+// Largest distance of A(∞) of the ω = ∞ problem itself from the one in use, in % as above.
+double infinityDifference(const Coefficients& c) {
+  if (c.addedMassInfDirect.isZero()) return 0.0;
+  const Vec6 size = c.addedMassInf.diagonal().cwiseSqrt();
+  const Mat6 difference = c.addedMassInfDirect - c.addedMassInf;
+  return 100.0 * difference.cwiseQuotient(size * size.transpose()).cwiseAbs().maxCoeff();
+}
+
 }  // namespace
 
 void info(const std::string& database, const std::string& out) {
@@ -97,6 +105,8 @@ void info(const std::string& database, const std::string& out) {
                                     std::pair{"condition_odd_max", &c.conditionOdd}}) {
     if (!table->empty()) number(name, *std::max_element(table->begin(), table->end()), "");
   }
+  number("added_mass_inf_from_finite_frequencies", c.addedMassInfDirect.isZero() ? 0 : 1, "");
+  number("check_added_mass_inf_direct_difference", infinityDifference(c), "%");
   list(csv, "code", c.provenance.code, "");
   list(csv, "version", c.provenance.version, "");
   list(csv, "mesh_hash", c.provenance.meshHash, "");

@@ -12,9 +12,10 @@ void rao(const std::string& database, double speed, double headingDeg,
   const Coefficients coefficients = readCoefficients(database, &warning);
   warn(warning);
   const FrequencyResponse response(coefficients);
+  const double heading = headingRadians(headingDeg);
   Csv csv("omega,omega_e,j,amplitude,phase_deg");
   for (const double omega : omegaList(omegaRange, defaultWaveOmega(coefficients))) {
-    const CVec6 eta = response.at(omega, headingDeg * kPi / 180.0);
+    const CVec6 eta = response.at(omega, heading);
     for (int j = 0; j < 6; ++j) {
       csv.row({omega, omega, j + 1.0, std::abs(eta[j]), std::arg(eta[j]) * 180.0 / kPi});
     }

@@ -25,6 +25,7 @@ void readRegular(TomlSection& waves, RunFile& run) {
   run.waves = RunFile::Waves::Regular;
   if (!waves.has("omega")) waves.refuse("omega", "is missing; regular waves need it [rad/s]");
   run.omega = waves.numbers("omega", {}, 1e-3, 100.0);
+  if (run.omega.empty()) waves.refuse("omega", "must hold a frequency");
   run.amplitude = waves.number("amplitude", run.amplitude, 0.0, 100.0);
   run.phase = kDegree * waves.number("phase_deg", 0.0, -kTurn, kTurn);
   if (waves.integer("order", 1, 1, 2) != 1) {

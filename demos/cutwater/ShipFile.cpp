@@ -44,8 +44,8 @@ Hull readHullSection(TomlFile& file, TomlSection hull) {
 
 void readMass(TomlSection mass, const Hydrostatics& afloat, ShipParticulars& ship) {
   if (mass.isText("mass")) mass.text("mass", "auto", {"auto"});
-  ship.mass = mass.isNumber("mass") ? mass.number("mass", 0.0, 1e-9, 1e15) : afloat.displacement;
-  if (!mass.has("mass")) mass.text("mass", "auto");
+  const double displaced = afloat.displacement;
+  ship.mass = mass.isText("mass") ? displaced : mass.number("mass", displaced, 1e-9, 1e15);
   if (!mass.has("cog")) {
     mass.refuse("cog",
                 fmt::format("is missing; the centre of buoyancy is at [{:.3f}, {:.3f}, {:.3f}] m",

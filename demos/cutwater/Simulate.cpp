@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <cstdio>
 
 #include "demos/cutwater/Commands.h"
+#include "demos/cutwater/Csv.h"
 #include "demos/cutwater/Precision.h"
 #include "demos/cutwater/Progress.h"
 #include "demos/cutwater/RunShip.h"
@@ -25,6 +25,7 @@ std::string describeFaults(std::uint32_t faults) {
 }
 
 void simulate(const std::string& path, bool forces, const std::string& out) {
+  requireWritable(out);
   const RunFile run = readRunFile(path);
   usePrecision(run.doublePrecision);
   if (run.omega.size() > 1) {
@@ -43,12 +44,7 @@ void simulate(const std::string& path, bool forces, const std::string& out) {
   }
   const std::string faults = describeFaults(world.seaway().faults());
   if (!faults.empty()) throw HydroError(Fault::ValueOutOfRange, path + ": " + faults);
-  if (out.empty()) {
-    const std::string csv = recorder.csv();
-    std::fwrite(csv.data(), 1, csv.size(), stdout);
-  } else {
-    recorder.write(out);
-  }
+  writeText(recorder.csv(), out);
 }
 
 }  // namespace cutwater::command

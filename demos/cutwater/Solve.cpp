@@ -1,30 +1,15 @@
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <filesystem>
 
 #include "demos/cutwater/Commands.h"
+#include "demos/cutwater/Csv.h"
 #include "demos/cutwater/Progress.h"
 #include "demos/cutwater/ShipFile.h"
-#include "hydro/Errors.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/memory/ConsistentLimit.h"
 
 namespace cutwater::command {
 
-namespace {
-
 // A sweep can take minutes: better to know first that its result can be kept.
-void requireWritable(const std::string& file) {
-  const auto folder = std::filesystem::absolute(file).parent_path();
-  if (std::filesystem::is_directory(file) || access(folder.c_str(), W_OK) != 0) {
-    throw HydroError(Fault::FileNotWritable,
-                     file + ": cannot be written (no such folder, or no permission)");
-  }
-}
-
-}  // namespace
-
 void solve(const std::string& path, const std::string& database, int threads) {
   requireWritable(database);
   ShipFile ship = readShipFile(path);

@@ -89,6 +89,7 @@ std::vector<CVec6> runAll(const RunFile& run, const Coefficients& coefficients, 
 }  // namespace
 
 void sweep(const std::string& path, int threads, const std::string& out) {
+  requireWritable(out);
   const RunFile run = readRunFile(path);
   usePrecision(run.doublePrecision);
   check(run);

@@ -1,6 +1,7 @@
 // cutwater: the command. Reads arguments; each subcommand is a function of its own (Commands.h).
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 
 #include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Precision.h"
@@ -33,6 +34,14 @@ void threads(CLI::App* sub, Arguments& a) {
       ->check(CLI::Range(0, 1024));
 }
 
+// One line for what no command may do: write over what it reads.
+void checkFiles(const Arguments& a) {
+  std::error_code none;
+  if (!a.out.empty() && std::filesystem::equivalent(a.input, a.out, none)) {
+    throw HydroError(Fault::FileNotWritable, "-o " + a.out + ": is the file that is read");
+  }
+}
+
 void wave(CLI::App* sub, Arguments& a) {
   sub->add_option("--speed", a.speed, "forward speed U [m/s]; this version: 0");
   sub->add_option("--heading", a.heading, "beta [deg]: 180 head seas, 0 following, 90 from port")
@@ -46,7 +55,10 @@ void addGeometryAndSolver(CLI::App& app, Arguments& a) {
               "hydrostatics meshes/frigate/ship.toml");
   sub->add_option("ship", a.input, "SHIP.toml")->required();
   output(sub, a);
-  sub->callback([&a] { command::hydrostatics(a.input, a.out); });
+  sub->callback([&a] {
+    checkFiles(a);
+    command::hydrostatics(a.input, a.out);
+  });
 
   sub = command(app, "solve",
                 "Hydrodynamic coefficients of a hull by panel method: added mass, damping, wave\n"
@@ -55,7 +67,10 @@ void addGeometryAndSolver(CLI::App& app, Arguments& a) {
   sub->add_option("ship", a.input, "SHIP.toml")->required();
   sub->add_option("-o,--output", a.out, "database to write (HDF5, BEMIO layout)")->required();
   threads(sub, a);
-  sub->callback([&a] { command::solve(a.input, a.out, a.threads); });
+  sub->callback([&a] {
+    checkFiles(a);
+    command::solve(a.input, a.out, a.threads);
+  });
 }
 
 void addTables(CLI::App& app, Arguments& a) {
@@ -63,7 +78,10 @@ void addTables(CLI::App& app, Arguments& a) {
                           "info frigate.h5");
   sub->add_option("database", a.input, "DB.h5")->required();
   output(sub, a);
-  sub->callback([&a] { command::info(a.input, a.out); });
+  sub->callback([&a] {
+    checkFiles(a);
+    command::info(a.input, a.out);
+  });
 
   sub =
       command(app, "coefficients", "Added mass and damping over frequency, 0 and infinity included",
@@ -71,21 +89,30 @@ void addTables(CLI::App& app, Arguments& a) {
   sub->add_option("database", a.input, "DB.h5")->required();
   sub->add_option("--speed", a.speed, "forward speed U [m/s]; this version: 0");
   output(sub, a);
-  sub->callback([&a] { command::coefficients(a.input, a.speed, a.out); });
+  sub->callback([&a] {
+    checkFiles(a);
+    command::coefficients(a.input, a.speed, a.out);
+  });
 
   sub = command(app, "excitation", "Froude-Krylov and diffraction forces per metre of wave",
                 "excitation frigate.h5 --heading 150 --omega 0.2:2:37");
   sub->add_option("database", a.input, "DB.h5")->required();
   wave(sub, a);
   output(sub, a);
-  sub->callback([&a] { command::excitation(a.input, a.speed, a.heading, a.omega, a.out); });
+  sub->callback([&a] {
+    checkFiles(a);
+    command::excitation(a.input, a.speed, a.heading, a.omega, a.out);
+  });
 
   sub = command(app, "rao", "Motions in regular waves by the frequency domain",
                 "rao frigate.h5 --heading 180 --omega 0.2:2:37");
   sub->add_option("database", a.input, "DB.h5")->required();
   wave(sub, a);
   output(sub, a);
-  sub->callback([&a] { command::rao(a.input, a.speed, a.heading, a.omega, a.out); });
+  sub->callback([&a] {
+    checkFiles(a);
+    command::rao(a.input, a.speed, a.heading, a.omega, a.out);
+  });
 
   sub = command(app, "retardation", "Memory functions K(tau) of the radiated waves",
                 "retardation frigate.h5 --dt 0.05 --duration 30");
@@ -93,7 +120,10 @@ void addTables(CLI::App& app, Arguments& a) {
   sub->add_option("--dt", a.step, "step in tau [s]")->required();
   sub->add_option("--duration", a.duration, "last tau [s]")->required();
   output(sub, a);
-  sub->callback([&a] { command::retardation(a.input, a.step, a.duration, a.out); });
+  sub->callback([&a] {
+    checkFiles(a);
+    command::retardation(a.input, a.step, a.duration, a.out);
+  });
 }
 
 void addRuns(CLI::App& app, Arguments& a) {
@@ -102,7 +132,10 @@ void addRuns(CLI::App& app, Arguments& a) {
   sub->add_option("run", a.input, "RUN.toml")->required();
   sub->add_flag("--forces", a.forces, "add the parts of the load as columns");
   output(sub, a);
-  sub->callback([&a] { command::simulate(a.input, a.forces, a.out); });
+  sub->callback([&a] {
+    checkFiles(a);
+    command::simulate(a.input, a.forces, a.out);
+  });
 
   sub = command(app, "sweep",
                 "Regular waves one by one in Bullet, amplitude and phase of the motions fitted,\n"
@@ -111,7 +144,10 @@ void addRuns(CLI::App& app, Arguments& a) {
   sub->add_option("run", a.input, "RUN.toml with several wave frequencies")->required();
   threads(sub, a);
   output(sub, a);
-  sub->callback([&a] { command::sweep(a.input, a.threads, a.out); });
+  sub->callback([&a] {
+    checkFiles(a);
+    command::sweep(a.input, a.threads, a.out);
+  });
 }
 
 }  // namespace

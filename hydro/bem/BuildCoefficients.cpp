@@ -97,7 +97,8 @@ class Sweep {
         settings_(settings),
         matrices_(panels(out.ship, settings), threads),
         normals_(matrices_.mesh(), out.ship.cog),
-        derivative_(out.ship.wetSurface, matrices_.mesh()) {
+        derivative_(out.ship.wetSurface, matrices_.mesh()),
+        faces_(makePanels(triangulated(out.ship.wetSurface), out.ship.symmetric)) {
     const std::size_t count = out_.omega.size();
     out_.addedMass.resize(count);
     out_.damping.resize(count);
@@ -166,7 +167,7 @@ class Sweep {
     std::vector<IncidentVelocity> velocities;
     for (std::size_t h = 0; h < out_.headings.size(); ++h) {
       const AiryWave wave{out_.omega[i], out_.headings[h], ship.gravity};
-      out_.froudeKrylov[h][i] = froudeKrylovForce(mesh, wave, ship.cog, ship.density);
+      out_.froudeKrylov[h][i] = froudeKrylovForce(faces_, wave, ship.cog, ship.density);
       velocities.push_back(incidentNormalVelocity(mesh, wave, ship.cog));
     }
     const auto forces = diffraction(system, normals_, velocities, out_.omega[i], ship.density);
@@ -178,6 +179,7 @@ class Sweep {
   InfluenceMatrices matrices_;
   ModeNormals normals_;
   XDerivative derivative_;
+  PanelMesh faces_;  // the surface without the gaps of flattening, for F_I
 };
 
 }  // namespace

@@ -47,7 +47,9 @@ CVec6 reversedOddModes(const CVec6& force) {
 
 WaveExcitation::WaveExcitation(const Coefficients& coefficients) : coefficients_(coefficients) {
   if (!coefficients.ship.wetSurface.faces.empty()) {
-    panels_ = makePanels(coefficients.ship.wetSurface, coefficients.ship.symmetric);
+    const ShipParticulars& ship = coefficients.ship;
+    panels_ = makePanels(ship.wetSurface, ship.symmetric);
+    faces_ = makePanels(triangulated(ship.wetSurface), ship.symmetric);
   }
 }
 
@@ -65,7 +67,7 @@ WaveExcitation::Force WaveExcitation::at(double omega, double heading) const {
   // proportion.
   const double solved = std::clamp(omega, grid.front(), grid.back());
   Force force;
-  force.froudeKrylov = froudeKrylovForce(panels_, wave, ship.cog, ship.density);
+  force.froudeKrylov = froudeKrylovForce(faces_, wave, ship.cog, ship.density);
   force.diffraction = (omega < solved ? omega / solved : 1.0) *
                       diffractionForce(adjointAt(coefficients_, solved), panels_, wave, ship.cog);
   return force;

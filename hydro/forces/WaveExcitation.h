@@ -32,7 +32,8 @@ class WaveExcitation {
   Force fromTable(double omega, double heading) const;
 
   const Coefficients& coefficients_;
-  PanelMesh panels_;
+  PanelMesh panels_;  // the solver's
+  PanelMesh faces_;   // its surface without gaps, for F_I
 };
 
 }  // namespace cutwater

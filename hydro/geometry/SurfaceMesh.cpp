@@ -180,4 +180,20 @@ std::vector<OpenEdge> openEdges(const SurfaceMesh& mesh) {
   return open;
 }
 
+SurfaceMesh triangulated(const SurfaceMesh& mesh) {
+  SurfaceMesh result;
+  result.vertices = mesh.vertices;
+  const auto add = [&result](int a, int b, int c) {
+    const Face triangle{{a, b, c, -1}};
+    const double size = (result.corner(triangle, 1) - result.corner(triangle, 0)).squaredNorm() +
+                        (result.corner(triangle, 2) - result.corner(triangle, 0)).squaredNorm();
+    if (vectorArea(result, triangle).norm() > 1e-9 * size) result.faces.push_back(triangle);
+  };
+  for (const Face& face : mesh.faces) {
+    add(face.v[0], face.v[1], face.v[2]);
+    if (face.size() == 4) add(face.v[0], face.v[2], face.v[3]);
+  }
+  return result;
+}
+
 }  // namespace cutwater

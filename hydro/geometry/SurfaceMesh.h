@@ -35,6 +35,10 @@ SurfaceMesh mirroredInY(const SurfaceMesh& mesh);
 /// Every face turned over.
 SurfaceMesh turnedOver(const SurfaceMesh& mesh);
 
+/// Each quadrilateral as two triangles: flat faces without the gaps that flattening a quadrilateral leaves.
+/// Triangles of no area are left out.
+SurfaceMesh triangulated(const SurfaceMesh& mesh);
+
 /// Both meshes in one, a's faces first, vertices not merged.
 SurfaceMesh joined(const SurfaceMesh& a, const SurfaceMesh& b);
 

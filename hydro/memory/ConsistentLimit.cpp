@@ -43,6 +43,14 @@ Coefficients withConsistentLimit(Coefficients coefficients) {
   if (!limit.trusted) return coefficients;
   coefficients.addedMassInfDirect = coefficients.addedMassInf;
   coefficients.addedMassInf = limit.addedMassInf;
+  if (coefficients.resolvedOmega <= 0.0) return coefficients;
+  const RetardationMatrix memory(coefficients);
+  for (std::size_t i = 0; i < coefficients.omega.size(); ++i) {
+    const double omega = coefficients.omega[i];
+    if (omega <= coefficients.resolvedOmega) continue;
+    coefficients.damping[i] = memory.damping(omega);
+    coefficients.addedMass[i] = limit.addedMassInf - memory.sineTransform(omega) / omega;
+  }
   return coefficients;
 }
 

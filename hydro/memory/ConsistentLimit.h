@@ -25,7 +25,8 @@ struct ConsistentLimit {
 ConsistentLimit consistentLimit(const Coefficients& coefficients);
 
 /// The same coefficients with the consistent A(∞) as `addedMassInf` and the solver's own kept as
-/// `addedMassInfDirect`, if it is to be trusted; else unchanged.
+/// `addedMassInfDirect`, if it is to be trusted; else unchanged. Above `resolvedOmega`, where the solver's A and B ring,
+/// they become the memory's continuation: B by its tail, A = A(∞) − (1/ω)∫K sin ωτ dτ.
 Coefficients withConsistentLimit(Coefficients coefficients);
 
 }  // namespace cutwater

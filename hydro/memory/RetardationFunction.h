@@ -75,6 +75,9 @@ class RetardationMatrix {
   /// tail are right.   @param addedMass  A at that ω.
   Mat6 addedMassInf(double omega, const Mat6& addedMass) const;
 
+  /// B(ω) as the memory has it: interpolated, and continued beyond the last frequency it uses.
+  Mat6 damping(double omega) const;
+
   /// K at 0, Δτ, 2Δτ, … up to `duration` [s], for the database file.
   /// @throws HydroError ValueOutOfRange unless 0 < step ≤ duration ≤ 10⁶ step.
   ImpulseResponse table(double step, double duration) const;

@@ -116,6 +116,12 @@ Mat6 RetardationMatrix::sineTransform(double omega) const {
   return result.selfadjointView<Eigen::Upper>();
 }
 
+Mat6 RetardationMatrix::damping(double omega) const {
+  Mat6 result = Mat6::Zero();
+  for (const Entry& entry : entries_) result(entry.j, entry.k) = entry.function.damping(omega);
+  return result.selfadjointView<Eigen::Upper>();
+}
+
 Mat6 RetardationMatrix::addedMassInf(double omega, const Mat6& addedMass) const {
   return 0.5 * (addedMass + addedMass.transpose()) + sineTransform(omega) / omega;
 }
