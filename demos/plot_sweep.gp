@@ -1,8 +1,9 @@
-# gnuplot -e "in='sweep.csv'; out='sweep.png'; name='150 deg'" plot_sweep.gp
+# gnuplot -e "in='sweep.csv'; rao='rao.csv'; out='sweep.png'; name='150 deg'" plot_sweep.gp
 # Motions in regular waves: Bullet (points) on the frequency domain (lines), amplitude and phase.
 set datafile separator ','
 set terminal pngcairo size 1500,900 font 'sans,10'
 set output out
+of(file, mode) = sprintf("< awk -F, '$3 == %d' '%s'", mode, file)
 modes = "surge sway heave roll pitch yaw"
 set multiplot layout 4,3 title 'Regular waves, heading '.name.': Bullet (points) and frequency domain (lines)'
 set grid lc rgb '#dddddd'
@@ -18,14 +19,14 @@ do for [half=0:1] {
       if (kind == 0) {
         set ylabel (angle ? 'amplitude [deg/m]' : 'amplitude [m/m]')
         set yrange [0:*]
-        plot in using ($3==j ? $1 : NaN):($6*scale) with lines lw 1.5 lc rgb '#1f77b4' title 'frequency domain', \
-             in using ($3==j ? $1 : NaN):($4*scale) with points pt 7 ps 0.8 lc rgb '#d62728' title 'Bullet'
+        plot of(rao, j) using 1:($4*scale) with lines lw 1.5 lc rgb '#1f77b4' title 'frequency domain', \
+             of(in, j) using 1:($4*scale) with points pt 7 ps 0.8 lc rgb '#d62728' title 'Bullet'
       } else {
         set ylabel 'phase [deg]'
         set yrange [-180:180]
         set ytics 90
-        plot in using ($3==j ? $1 : NaN):($7) with lines lw 1.5 lc rgb '#1f77b4' notitle, \
-             in using ($3==j ? $1 : NaN):($5) with points pt 7 ps 0.8 lc rgb '#d62728' notitle
+        plot of(rao, j) using 1:5 with points pt 7 ps 0.2 lc rgb '#1f77b4' notitle, \
+             of(in, j) using 1:5 with points pt 7 ps 0.8 lc rgb '#d62728' notitle
         set ytics auto
       }
     }

@@ -25,7 +25,8 @@ gnuplot -e "in='$out/run.csv'; out='$out/run.png'" "$root/demos/plot_run.gp"
 for beta in 030 090 150 180; do
   say "sweep: regular waves, heading ${beta#0} deg, Bullet beside the frequency domain"
   "$cutwater" sweep "$root/demos/runs/sweep_$beta.toml" -o "$out/sweep_$beta.csv"
-  gnuplot -e "in='$out/sweep_$beta.csv'; out='$out/sweep_$beta.png'; name='${beta#0} deg'" "$root/demos/plot_sweep.gp"
+  "$cutwater" rao "$database" --heading "${beta#0}" --omega 0.2:2:361 -o "$out/rao_$beta.csv"
+  gnuplot -e "in='$out/sweep_$beta.csv'; rao='$out/rao_$beta.csv'; out='$out/sweep_$beta.png'; name='${beta#0} deg'" "$root/demos/plot_sweep.gp"
 done
 cp "$out/sweep_150.csv" "$out/sweep.csv"
 cp "$out/sweep_150.png" "$out/sweep.png"
