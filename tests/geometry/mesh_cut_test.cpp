@@ -10,13 +10,6 @@
 namespace cutwater {
 namespace {
 
-SurfaceMesh triangulated(const SurfaceMesh& mesh) {
-  SurfaceMesh out{mesh.vertices, {}};
-  for (const Face& f : mesh.faces)
-    for (int i = 1; i + 1 < f.size(); ++i) out.faces.push_back({{f[0], f[i], f[i + 1], -1}});
-  return out;
-}
-
 /// Turns and lowers the hull so that the plane becomes z = 0.
 SurfaceMesh turnedTo(const SurfaceMesh& mesh, const Plane& plane) {
   SurfaceMesh out = mesh;
