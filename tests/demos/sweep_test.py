@@ -62,7 +62,7 @@ def main():
             file.write(text)
         run(command, "sweep", name, "-o", f"sweep_{beta:03d}.csv")
         wrong += check(rows(f"sweep_{beta:03d}.csv"), beta)
-    sys.exit("\n".join(wrong))
+    sys.exit("\n".join(wrong) or None)
 
 
 main()

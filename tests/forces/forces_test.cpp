@@ -162,7 +162,9 @@ TEST(FrequencyResponseClosedForm, LongWavesCarryTheShipLikeARaft) {
   // ω → 0: heave 1, pitch = wave slope: head wave ζ = cos(ωt + kx), bow-down pitch −∂ζ/∂x = k sin:
   // phase −90°... with η5 = −∂ζ/∂x = k sin(ωt) = Re{−ik e^{iωt}}. Restoring and wave pressure
   // balance to order kL.
-  const Coefficients ship = boxShip();
+  // The made-up diffraction has no moment arm and does not vanish beside pitch's: left out.
+  Coefficients ship = boxShip();
+  for (auto& vectors : ship.adjoint) vectors.setZero();
   const double k = 2e-4, omega = std::sqrt(k * kG);
   const CVec6 eta = FrequencyResponse(ship).at(omega, kPi);
   EXPECT_NEAR(std::abs(eta[Heave] - 1.0), 0.0, 0.01);
