@@ -41,8 +41,8 @@ std::vector<Vec3> hullPoints(const ShipParticulars& ship) {
 std::set<std::size_t> farthest(const std::vector<Vec3>& points, const Vec3& extent) {
   std::set<std::size_t> chosen;
   for (int code = 0; code < 125; ++code) {
-    const Vec3 direction =
-        Vec3(code % 5 - 2, code / 5 % 5 - 2, code / 25 - 2).cwiseQuotient(extent);
+    const int i = code % 5 - 2, j = code / 5 % 5 - 2, k = code / 25 - 2;
+    const Vec3 direction = Vec3(i, j, k).cwiseQuotient(extent);
     const auto behind = [&](const Vec3& a, const Vec3& b) {
       return direction.dot(a) < direction.dot(b);
     };
