@@ -10,7 +10,9 @@
 
 // Assimp 5.2.5 itself leaks when it gives up on some damaged files (DamageIsSurvived); ours would
 // still show.
-extern "C" const char* __lsan_default_suppressions();  // NOLINT(bugprone-reserved-identifier)
+// Visible, or the sanitizer's library would not find it in a program built with hidden symbols.
+extern "C" __attribute__((visibility("default"))) const char*
+__lsan_default_suppressions();                                                     // NOLINT
 extern "C" const char* __lsan_default_suppressions() { return "leak:libassimp"; }  // NOLINT
 
 namespace cutwater {
