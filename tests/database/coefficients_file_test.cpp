@@ -93,9 +93,9 @@ class Edit {
 
 template <class T>
 bool sameBits(const T& a, const T& b) {
-  return a.size() == b.size() &&
-         std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof a.data()[0]) ==
-             0;
+  if (a.size() != b.size()) return false;
+  const auto bytes = static_cast<std::size_t>(a.size()) * sizeof a.data()[0];
+  return bytes == 0 || std::memcmp(a.data(), b.data(), bytes) == 0;
 }
 template <class T>
 bool sameBits(const std::vector<std::vector<T>>& a, const std::vector<std::vector<T>>& b) {
