@@ -53,7 +53,7 @@ std::string describe(const SolveSettings& settings, std::size_t lidPanels) {
   return "formulation = \"potential\"\nlid = " + std::string(word(settings.lid)) +
          "\nlid_panels = " + std::to_string(lidPanels) +
          "\nx_derivatives = " + word(settings.xDerivatives) +
-         "\nadjoint = " + word(settings.adjoint) + "\n";
+         "\nadjoint = " + word(settings.influence == Influence::Adjoint) + "\n";
 }
 
 /// FNV-1a over coordinates and corners: two databases of the same panels have the same hash.
@@ -106,7 +106,7 @@ class Sweep {
       out_.addedMassX.resize(count);
       out_.dampingX.resize(count);
     }
-    if (settings.adjoint) out_.adjoint.resize(count);
+    if (settings.influence == Influence::Adjoint) out_.adjoint.resize(count);
     out_.froudeKrylov.assign(out_.headings.size(), std::vector<CVec6>(count));
     out_.diffraction = out_.froudeKrylov;
     out_.conditionEven.resize(count);
@@ -136,8 +136,8 @@ class Sweep {
     const SymmetricSystem<Complex> system(matrices_.atWaveNumber(K), matrices_.parities());
     radiate(system, i);
     diffract(system, i);
-    if (settings_.adjoint)
-      out_.adjoint[i] = adjointVectors(system, normals_, omega, out_.ship.density);
+    if (settings_.influence == Influence::Adjoint)
+      out_.adjoint[i] = adjointVectors(system, normals_, out_.ship.density);
     out_.conditionEven[i] = system.condition(Parity::Even);
     if (matrices_.parities() == 2) out_.conditionOdd[i] = system.condition(Parity::Odd);
   }

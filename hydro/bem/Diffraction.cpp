@@ -28,11 +28,11 @@ CVec6 diffraction(const SymmetricSystem<Complex>& system, const ModeNormals& nor
 }
 
 Eigen::Matrix<Complex, 6, Eigen::Dynamic> adjointVectors(const SymmetricSystem<Complex>& system,
-                                                         const ModeNormals& normals, double omega,
+                                                         const ModeNormals& normals,
                                                          double density) {
   // The weights of a symmetric hull already hold the factor 2 that Coefficients::adjoint leaves to
   // v.
-  const Complex factor(0.0, omega * density * (normals.symmetric ? 0.5 : 1.0));
+  const Complex factor(0.0, density * (normals.symmetric ? 0.5 : 1.0));
   Eigen::Matrix<Complex, 6, Eigen::Dynamic> b(6, normals.n.rows());
   for (int p = 0; p < system.parities(); ++p) {
     const auto parity = static_cast<Parity>(p);

@@ -16,10 +16,10 @@ std::vector<CVec6> diffraction(const SymmetricSystem<Complex>& system, const Mod
                                const std::vector<IncidentVelocity>& waves, double omega,
                                double density);
 
-/// b_j = iωρ Rᵀ L⁻ᵀ w_j, so that F_D,j = Σ b_j,i v_i (Coefficients::adjoint says how to use them):
+/// b_j = iρ Rᵀ L⁻ᵀ w_j, so that F_D,j = ω Σ b_j,i v_i (Coefficients::adjoint says how to use them):
 /// the same number as `diffraction`, for every heading, for six back-substitutions. 6 × panels.
 Eigen::Matrix<Complex, 6, Eigen::Dynamic> adjointVectors(const SymmetricSystem<Complex>& system,
-                                                         const ModeNormals& normals, double omega,
+                                                         const ModeNormals& normals,
                                                          double density);
 
 }  // namespace cutwater

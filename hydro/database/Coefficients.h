@@ -42,8 +42,27 @@ struct Provenance {
   std::string settings;  ///< the solver's settings as TOML
 };
 
-/// All that solver and time domain share: hydrodynamic coefficients of one ship, U = 0, deep water.
-/// Forces and moments about G, modes and signs as in Conventions.h. Immutable once made.
+/// Which terms a forward speed U adds to coefficients at rest (database/ForwardSpeed.h).
+enum class ForwardSpeedForm {
+  Report,  ///< ∂A, ∂B as integrated                                             [M03] (24)-(29)
+  Tuck     ///< Tuck's theorem without its line integral: Z(U) = S Z⁰ Sᴴ
+};
+
+/// F_D [N/m, N·m/m] on a grid of conditions, form of `Coefficients::forwardSpeed`.
+struct DiffractionTable {
+  std::vector<double> speeds;     ///< U [m/s]
+  std::vector<double> headings;   ///< β [rad]
+  std::vector<double> waveOmega;  ///< ω_I [rad/s]
+  std::vector<CVec6> values;      ///< [(speed · headings + heading) · waveOmega + frequency]
+  bool empty() const { return values.empty(); }
+  const CVec6& at(std::size_t speed, std::size_t heading, std::size_t frequency) const {
+    return values[(speed * headings.size() + heading) * waveOmega.size() + frequency];
+  }
+};
+
+/// All that solver and time domain share: hydrodynamic coefficients of one ship in deep water, at
+/// rest, with all that any forward speed needs. Forces and moments about G, modes and signs as in
+/// Conventions.h. Immutable once made.
 struct Coefficients {
   ShipParticulars ship;
   Provenance provenance;
@@ -76,10 +95,27 @@ struct Coefficients {
   std::vector<std::vector<CVec6>> froudeKrylov;  ///< [heading][frequency]
   std::vector<std::vector<CVec6>> diffraction;   ///< [heading][frequency]
 
-  /// Adjoint vectors: F_D,j = Σ_i b_j,i v_i over all panels, v = −∂φ_I/∂n at the panel centroids;
-  /// of a symmetric hull the port panels, to be used with twice the even (j = 1, 3, 5) or odd part
-  /// of v. [frequency], each 6 × panels; empty if not computed.
-  std::vector<Eigen::Matrix<Complex, 6, Eigen::Dynamic>> adjoint;
+  /// Adjoint vectors, 6 × panels: F^ω_j = Σ_i b_j,i v_i and F^U_j = Σ_i b^x_j,i v_i over all panels,
+  /// v = −∂φ_I/∂n at the panel centroids; of a symmetric hull the port panels, to be used with twice
+  /// the even (j = 1, 3, 5) or odd part of v. F_D = ω_e F^ω + U F^U.            [M03] (88)-(91)
+  ///     b_j = iρ Rᵀ L⁻ᵀ w_j,   b^x_j = −ρ(n_x∘w_j + Rᵀ L⁻ᵀ Tᵀ n_j)
+  /// [frequency]; empty if not computed.
+  using AdjointVectors = Eigen::Matrix<Complex, 6, Eigen::Dynamic>;
+  std::vector<AdjointVectors> adjoint, adjointX;
+  AdjointVectors adjointZero, adjointXZero;  ///< at ω_e = 0: rigid free surface
+  AdjointVectors adjointInf, adjointXInf;    ///< at ω_e = ∞: φ = 0 on it
+
+  /// How the terms of forward speed are put together unless another form is asked for.
+  ForwardSpeedForm forwardSpeed = ForwardSpeedForm::Report;
+
+  /// Diffraction by other means than adjoint vectors; empty unless the solver was asked for it.
+  DiffractionTable diffractionTable;
+
+  /// Frequencies of `omega` whose condition number is above the user's envelope: 1, else 0. Their A,
+  /// B, ∂A, ∂B, F_D and adjoint vectors are interpolated from the others. Empty: no mask.  [M03] 5.7
+  std::vector<int> masked;
+  /// The envelopes themselves, pairs (ω, limit), of the even and odd systems.
+  std::vector<std::pair<double, double>> conditionLimitEven, conditionLimitOdd;
 
   /// ‖D‖·‖D⁻¹‖ of the even and odd systems (a hull without symmetry fills only `conditionEven`).
   std::vector<double> conditionEven, conditionOdd;

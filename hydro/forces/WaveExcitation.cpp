@@ -63,13 +63,11 @@ WaveExcitation::Force WaveExcitation::at(double omega, double heading) const {
   if (coefficients_.adjoint.empty() || panels_.panels.empty()) return fromTable(omega, heading);
   const ShipParticulars& ship = coefficients_.ship;
   const AiryWave wave{omega, heading, ship.gravity};
-  // b_j grows as ω from ω = 0, v as well: below the first frequency b_j is carried down in
-  // proportion.
   const double solved = std::clamp(omega, grid.front(), grid.back());
   Force force;
   force.froudeKrylov = froudeKrylovForce(faces_, wave, ship.cog, ship.density);
-  force.diffraction = (omega < solved ? omega / solved : 1.0) *
-                      diffractionForce(adjointAt(coefficients_, solved), panels_, wave, ship.cog);
+  force.diffraction =
+      omega * diffractionForce(adjointAt(coefficients_, solved), panels_, wave, ship.cog);
   return force;
 }
 

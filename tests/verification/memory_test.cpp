@@ -28,7 +28,7 @@ Coefficients frigate(int panels, double lidPanelLength, const std::vector<double
   SolveSettings settings;
   settings.omega = omega;
   settings.lidPanelLength = lidPanelLength;
-  settings.xDerivatives = settings.adjoint = false;
+  settings.xDerivatives = false;
   return buildCoefficients(ship, settings);
 }
 
