@@ -10,6 +10,7 @@
 #include "hydro/bem/Diffraction.h"
 #include "hydro/bem/XDerivative.h"
 #include "hydro/geometry/Lid.h"
+#include "hydro/geometry/SolverPanels.h"
 
 namespace cutwater {
 namespace {
@@ -95,7 +96,7 @@ class Sweep {
   Sweep(Coefficients& out, const SolveSettings& settings, int threads)
       : out_(out),
         settings_(settings),
-        matrices_(panels(out.ship, settings), threads),
+        matrices_(panels(out.ship, settings), influence(settings, threads)),
         normals_(matrices_.mesh(), out.ship.cog),
         derivative_(out.ship.wetSurface, matrices_.mesh()),
         faces_(makePanels(triangulated(out.ship.wetSurface), out.ship.symmetric)) {
@@ -106,7 +107,10 @@ class Sweep {
       out_.addedMassX.resize(count);
       out_.dampingX.resize(count);
     }
-    if (settings.influence == Influence::Adjoint) out_.adjoint.resize(count);
+    if (settings.influence == Influence::Adjoint) {
+      out_.adjoint.resize(count);
+      if (settings.xDerivatives) out_.adjointX.resize(count);
+    }
     out_.froudeKrylov.assign(out_.headings.size(), std::vector<CVec6>(count));
     out_.diffraction = out_.froudeKrylov;
     out_.conditionEven.resize(count);
@@ -117,17 +121,22 @@ class Sweep {
 
   void solveLimits() {
     for (const FrequencyLimit limit : {FrequencyLimit::Zero, FrequencyLimit::Infinite}) {
-      std::array<InfluencePair<double>, 2> pairs;
+      std::array<InfluenceSystem<double>, 2> pairs;
       for (int p = 0; p < matrices_.parities(); ++p)
         pairs[static_cast<std::size_t>(p)] = matrices_.atLimit(limit, static_cast<Parity>(p));
       const SymmetricSystem<double> system(std::move(pairs), matrices_.parities());
       const auto phi = radiationPotentials(system, normals_);
       const bool zero = limit == FrequencyLimit::Zero;
-      (zero ? out_.addedMassZero : out_.addedMassInf) =
-          impulseMatrix(phi, normals_, out_.ship.density);
+      const double density = out_.ship.density;
+      (zero ? out_.addedMassZero : out_.addedMassInf) = impulseMatrix(phi, normals_, density);
       if (settings_.xDerivatives)
         (zero ? out_.addedMassXZero : out_.addedMassXInf) =
-            impulseMatrixX(phi, normals_, derivative_, out_.ship.density);
+            impulseMatrixX(system, phi, normals_, derivative_, density);
+      if (settings_.influence != Influence::Adjoint) continue;
+      (zero ? out_.adjointZero : out_.adjointInf) = adjointVectors(system, normals_, density);
+      if (settings_.xDerivatives)
+        (zero ? out_.adjointXZero : out_.adjointXInf) =
+            adjointVectorsX(system, normals_, derivative_, density);
     }
   }
 
@@ -136,15 +145,23 @@ class Sweep {
     const SymmetricSystem<Complex> system(matrices_.atWaveNumber(K), matrices_.parities());
     radiate(system, i);
     diffract(system, i);
-    if (settings_.influence == Influence::Adjoint)
+    if (settings_.influence == Influence::Adjoint) {
       out_.adjoint[i] = adjointVectors(system, normals_, out_.ship.density);
+      if (settings_.xDerivatives)
+        out_.adjointX[i] = adjointVectorsX(system, normals_, derivative_, out_.ship.density);
+    }
     out_.conditionEven[i] = system.condition(Parity::Even);
     if (matrices_.parities() == 2) out_.conditionOdd[i] = system.condition(Parity::Odd);
   }
 
  private:
+  static InfluenceSettings influence(const SolveSettings& settings, int threads) {
+    return {settings.formulation, settings.derivatives == Derivatives::Source,
+            settings.sourcePoints, settings.galerkinPoints, threads};
+  }
+
   static PanelMesh panels(const ShipParticulars& ship, const SolveSettings& settings) {
-    PanelMesh mesh = makePanels(ship.wetSurface, ship.symmetric);
+    PanelMesh mesh = solverPanels(ship.wetSurface, ship.symmetric, settings.curvedPanels);
     if (settings.lid) mesh.lid = makeLid(ship.wetSurface, ship.symmetric, settings.lidPanelLength);
     return mesh;
   }
@@ -156,7 +173,7 @@ class Sweep {
     out_.addedMass[i] = addedMass(Z);
     out_.damping[i] = damping(Z, omega);
     if (!settings_.xDerivatives) return;
-    const CMat6 ZX = impulseMatrixX(phi, normals_, derivative_, density);
+    const CMat6 ZX = impulseMatrixX(system, phi, normals_, derivative_, density);
     out_.addedMassX[i] = addedMass(ZX);
     out_.dampingX[i] = damping(ZX, omega);
   }
@@ -170,8 +187,9 @@ class Sweep {
       out_.froudeKrylov[h][i] = froudeKrylovForce(faces_, wave, ship.cog, ship.density);
       velocities.push_back(incidentNormalVelocity(mesh, wave, ship.cog));
     }
-    const auto forces = diffraction(system, normals_, velocities, out_.omega[i], ship.density);
-    for (std::size_t h = 0; h < forces.size(); ++h) out_.diffraction[h][i] = forces[h];
+    const auto forces = diffraction(system, normals_, velocities, ship.density);
+    for (std::size_t h = 0; h < forces.size(); ++h)
+      out_.diffraction[h][i] = out_.omega[i] * forces[h].omega;
   }
 
   Coefficients& out_;
@@ -191,6 +209,8 @@ Coefficients buildCoefficients(const ShipParticulars& ship, const SolveSettings&
   out.ship = solvable(ship);
   out.omega = settings.omega;
   out.headings = settings.headings;
+  out.curvedPanels = settings.curvedPanels;
+  out.forwardSpeed = settings.forwardSpeed;
   out.provenance.version = CUTWATER_VERSION;
   out.provenance.meshHash = hashOf(out.ship.wetSurface);
 

@@ -1,27 +1,10 @@
 #pragma once
 #include <functional>
 
+#include "hydro/bem/Formulation.h"
 #include "hydro/database/Coefficients.h"
 
 namespace cutwater {
-
-/// Which integral equation gives the potentials.
-enum class Formulation {
-  Potential,  ///< ½φ + ∫φ ∂G/∂n_ξ = ∫G v, Green's identity on the hull
-  Source      ///< Dσ = v, φ = Eσ, the report's                                  [M03] (49)-(51)
-};
-/// How ∂φ/∂x comes from the solution.
-enum class Derivatives {
-  Stokes,  ///< Stokes' theorem on each panel (XDerivative.h)
-  Source   ///< ∂φ/∂x = Hσ, the report's                                         [M03] (51)-(54)
-};
-/// How diffraction forces off the frequency grid are had.
-enum class Influence {
-  Adjoint,  ///< vectors b_j with F_D,j = b_jᵀ v, interpolated in ω_e when read; any U, β, ω_I
-  Direct,   ///< every condition's own system, assembled and solved
-  Matrix,   ///< influence matrices interpolated between grid frequencies        [M03] (80)-(83)
-  Inverse   ///< their inverses interpolated; wrong near irregular frequencies   [M03] (84)-(87)
-};
 
 /// An upper envelope of condition numbers: (ω [rad/s], limit [–]), ω increasing, linear between,
 /// constant outside; empty: no mask.                                             [M03] 5.7
@@ -38,6 +21,7 @@ struct SolveSettings {
   ForwardSpeedForm forwardSpeed = ForwardSpeedForm::Report;
   int sourcePoints = 0;    ///< Gauss points of the wave term on a source panel: 1, 4, 9; 0: by ω
   int galerkinPoints = 4;  ///< points of a field panel that share its equation: 1, 4, 9
+  bool curvedPanels = false;  ///< panels moved out to the surface through the vertices (SolverPanels.h)
   bool lid = true;              ///< lid panels on the interior waterplane: no irregular frequencies
   double lidPanelLength = 0.0;  ///< [m]; 0: as the hull's panels along the waterline
   bool xDerivatives = true;     ///< ∂A, ∂B, and adjoint vectors of ∂φ/∂x

@@ -1,25 +1,36 @@
 #pragma once
-#include "hydro/bem/Radiation.h"
+#include "hydro/bem/XDerivative.h"
 #include "hydro/waves/IncidentWaveForce.h"
 
 namespace cutwater {
 
-/// F_D,j = ρ ∫ iω φ_D n_j dS with ∂φ_D/∂n = −∂φ_I/∂n, solved directly for even and odd parts.
-///                                                                       [M03] (63), (69)-(79),
-///                                                                       (88)
-/// Per metre of amplitude, crest over G [N/m, N·m/m].
-CVec6 diffraction(const SymmetricSystem<Complex>& system, const ModeNormals& normals,
-                  const IncidentVelocity& v, double omega, double density);
+/// Force of a diffracted wave, per metre of amplitude, crest over G, on a ship at speed U:
+///     F_D = ω_e F^ω + U F^U,   F^ω = ρ∫ iφ_D n_j dS,   F^U = −ρ∫ ∂φ_D/∂x n_j dS      [M03] (88)-(91)
+struct DiffractionParts {
+  CVec6 omega = CVec6::Zero();  ///< F^ω
+  CVec6 speed = CVec6::Zero();  ///< F^U; zero if not asked for
+};
 
-/// The same for many waves of one frequency at once, which is several times faster.
-std::vector<CVec6> diffraction(const SymmetricSystem<Complex>& system, const ModeNormals& normals,
-                               const std::vector<IncidentVelocity>& waves, double omega,
-                               double density);
+/// F^ω and F^U for ∂φ_D/∂n = v, solved directly for even and odd parts, many waves of one system at
+/// once.                                                                  [M03] (63), (69)-(79)
+/// @param stokes  nullptr: F^ω alone.
+std::vector<DiffractionParts> diffraction(const SymmetricSystem<Complex>& system,
+                                          const ModeNormals& normals,
+                                          const std::vector<IncidentVelocity>& waves,
+                                          double density, const XDerivative* stokes = nullptr);
 
-/// b_j = iρ Rᵀ L⁻ᵀ w_j, so that F_D,j = ω Σ b_j,i v_i (Coefficients::adjoint says how to use them):
-/// the same number as `diffraction`, for every heading, for six back-substitutions. 6 × panels.
-Eigen::Matrix<Complex, 6, Eigen::Dynamic> adjointVectors(const SymmetricSystem<Complex>& system,
+/// b_j of F^ω (Coefficients::adjoint says how to use them): the same number as `diffraction`, for
+/// every wave, for six back-substitutions. 6 × panels.
+template <typename Scalar>
+Eigen::Matrix<Complex, 6, Eigen::Dynamic> adjointVectors(const SymmetricSystem<Scalar>& system,
                                                          const ModeNormals& normals,
                                                          double density);
+
+/// b^x_j of F^U (Coefficients::adjointX), six more.
+template <typename Scalar>
+Eigen::Matrix<Complex, 6, Eigen::Dynamic> adjointVectorsX(const SymmetricSystem<Scalar>& system,
+                                                          const ModeNormals& normals,
+                                                          const XDerivative& stokes,
+                                                          double density);
 
 }  // namespace cutwater

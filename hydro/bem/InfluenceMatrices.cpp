@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hydro/green/RankineIntegrals.h"
-
 // Signs. Green's second identity in the water, whose outward normal on the hull is −n, for φ and
 // the unit source G = −1/(4πR) + ...: φ(x) + ∫ φ ∂G/∂n_ξ dS = ∫ G v dS off the hull, ½φ(x) on a
-// smooth point of it.
+// smooth point of it. Sources of strength σ on the hull: ∂φ/∂n = ½σ + ∫ σ ∂G/∂n_x dS outside.
 //
 // Lid (extended boundary integral equations). Let W(x) = −∫ φ ∂G/∂n dS + ∫ G v dS − ∫_lid μ ∂G/∂ζ
 // dS, n = +z on the lid. Outside the hull W is the potential we want; across the hull its double
@@ -18,280 +16,233 @@
 // so the lid is a layer of sources −Kμ with 1/R + 1/R₁ = 2/R. No jump on approaching it from below,
 // but a layer of strength σ on z = 0 breaks the free-surface condition, ∂W/∂z − K W = −σ = +Kμ:
 // half of the unit flux for each of the two coinciding sources. The lid equation
-//     −μ + ∫ φ ∂G/∂n dS + ∫_lid μ K G dS = ∫ G v dS           (x on the lid)
-// says W = −μ there, hence ∂W/∂z = K W + Kμ = 0. Inside, W is harmonic, zero on the hull, with zero
-// slope on the lid: W = 0 by Green's first identity, at every K. So μ = 0 and φ is the true
-// potential; the sloshing modes of the interior Dirichlet problem, which make the hull equation
-// alone singular, have ∂W/∂z = K W instead. In the discrete system μ is of the size of the
-// discretisation error.
+//     −μ + s[∫ φ ∂G/∂n dS + ∫_lid μ K G dS] = s ∫ G v dS      (x on the lid, 0 ≤ s ≤ 1)
+// says sW = −μ there, hence ∂W/∂z = (1 − s)K W. Inside, W is harmonic, zero on the hull, with that
+// condition on the lid: W = 0 as long as (1 − s)K is below the least K₁ at which the water inside
+// resonates, ∫|∇W|² = (1 − s)K ∫_lid W². So μ = 0 and φ is the true potential. Sources (lid
+// equation −σ + sK ∫ G σ dS = 0) have the same condition inside, with W continuous across the hull.
+//
+// K₁ is not less than that of any larger basin, as a motion of the smaller one, 0 outside it, is a
+// motion of the larger; for the box L × B × T around the hull K₁ = κ coth κT, κ² = (π/L)² + (π/B)².
+// In the discrete system μ is of the size of the discretisation error, and the lid's own error
+// comes on top: on a hemisphere of 432 panels s = 1 doubles the errors of surge. Hence s is 0 up to
+// 0.9 K₁ and (1 − s)K falls as 1/K from there.
 
 namespace cutwater {
 namespace {
 
 constexpr double kG = -1.0 / (4.0 * kPi);
+constexpr double kLidFrom = 0.9;  // of the least resonance; see above
 
-/// Images of x nearer than this many panel diameters take the split wave term: one Gauss point on
-/// 1/R₁ there would be off by more than some 1/(24·2²) = 1 %.
-constexpr double kNearRatio = 2.0;
-
-/// Relative error allowed to n × n points on a wave at calm water. Below, waves fade as e^{−Y}, but
-/// what deep panels make of short waves nearly cancels: only √ of it counts. Frigate, 433 panels a
-/// side, up to 4.2 rad/s: from 0.01 to 0.004 heave damping moves by 3 %, the others by less than 1
-/// %; with e^{−Y} in full and 0.002 it is off by half.
-constexpr double kWaveError = 0.005;
-constexpr int kMostPoints = 4;
-
-/// n Gauss points on ∫ e^{iθs} ds, s = −1..1, are off by θ²ⁿ times this, leading term.
-constexpr std::array<double, kMostPoints - 1> kGaussError{1.0 / 6.0, 1.0 / 270.0, 1.0 / 31500.0};
-
-double diameter(const Panel& panel) {
-  double size = 0.0;
-  for (int i = 0; i < panel.corners; ++i)
-    for (int j = 0; j < i; ++j)
-      size = std::max(size, (panel.corner[static_cast<std::size_t>(i)] -
-                             panel.corner[static_cast<std::size_t>(j)])
-                                .norm());
-  return size;
+double leastResonanceOf(const PanelMesh& mesh) {
+  Vec3 low = Vec3::Constant(1e300), high = -low;
+  for (const Panel& panel : mesh.panels)
+    for (const Vec3& corner : panel.corner) {
+      low = low.cwiseMin(corner);
+      high = high.cwiseMax(corner);
+      if (mesh.symmetric) low.y() = std::min(low.y(), -corner.y());
+    }
+  const Vec3 size = high - low;
+  const double kappa = std::hypot(kPi / size.x(), kPi / size.y());
+  return kappa / std::tanh(-kappa * low.z());
 }
-
-double top(const Panel& panel) {
-  double z = panel.corner[0].z();
-  for (int i = 1; i < panel.corners; ++i)
-    z = std::max(z, panel.corner[static_cast<std::size_t>(i)].z());
-  return std::min(z, 0.0);
-}
-
-Vec3 imageInY(const Vec3& x, bool mirrored) { return {x.x(), mirrored ? -x.y() : x.y(), x.z()}; }
-Vec3 imageInZ(const Vec3& x) { return {x.x(), x.y(), -x.z()}; }
 
 }  // namespace
 
-InfluenceMatrices::InfluenceMatrices(PanelMesh mesh, int threads)
-    : mesh_(std::move(mesh)),
-      hull_(static_cast<int>(mesh_.panels.size())),
-      all_(hull_ + static_cast<int>(mesh_.lid.size())),
-      panels_(mesh_.panels) {
-  panels_.insert(panels_.end(), mesh_.lid.begin(), mesh_.lid.end());
-  for (const Panel& panel : panels_) {
-    size_.push_back(diameter(panel));
-    top_.push_back(top(panel));
-    points_.emplace_back();
-    for (int n = 1; n <= kMostPoints; ++n)
-      points_.back()[static_cast<std::size_t>(n - 1)] = panelQuadrature(panel, n);
-  }
-  near_.resize(panels_.size());
-  for (int p = 0; p < parities(); ++p) {
-    Rankine& part = rankine_[static_cast<std::size_t>(p)];
-    part.direct.resize(all_, all_);
-    part.image.resize(all_, all_);
-    part.directNormal.resize(all_, hull_);
-    part.imageNormal.resize(all_, hull_);
-  }
-#pragma omp parallel for schedule(dynamic, 8) num_threads(threads)
-  for (int source = 0; source < all_; ++source) {
-    computeRankine(source);
-    findNearPairs(source);
-  }
+InfluenceMatrices::InfluenceMatrices(PanelMesh mesh, const InfluenceSettings& settings)
+    : pairs_(std::move(mesh), settings),
+      rankine_(pairs_),
+      leastResonance_(leastResonanceOf(pairs_.mesh())) {}
+
+double InfluenceMatrices::lidShare(double K) const noexcept {
+  if (mesh().lid.empty()) return 0.0;
+  const double ratio = kLidFrom * leastResonance_ / K;
+  return ratio >= 1.0 ? 0.0 : 1.0 - ratio * ratio;
 }
 
-bool InfluenceMatrices::isNear(int i, int j, bool mirrored) const {
-  const Vec3 &a = panels_[static_cast<std::size_t>(i)].centroid,
-             &b = panels_[static_cast<std::size_t>(j)].centroid;
-  const double dx = a.x() - b.x(), dy = mirrored ? a.y() + b.y() : a.y() - b.y(),
-               dz = a.z() + b.z();
-  const double reach =
-      kNearRatio * std::max(size_[static_cast<std::size_t>(i)], size_[static_cast<std::size_t>(j)]);
-  return dx * dx + dy * dy + dz * dz < reach * reach;
-}
-
-void InfluenceMatrices::computeRankine(int source) {
-  const Panel& panel = panels_[static_cast<std::size_t>(source)];
-  const RankinePanel rankine(
-      std::span(panel.corner.data(), static_cast<std::size_t>(panel.corners)));
-  for (int field = 0; field < all_; ++field) {
-    const Vec3& x = panels_[static_cast<std::size_t>(field)].centroid;
-    for (int m = 0; m < parities(); ++m) {
-      const Vec3 y = imageInY(x, m == 1);
-      const RankineIntegrals direct = rankine.at(y), image = rankine.at(imageInZ(y));
-      for (int p = 0; p < parities(); ++p) {
-        const double sign = m == 1 && p == 1 ? -1.0 : 1.0;
-        Rankine& part = rankine_[static_cast<std::size_t>(p)];
-        const auto put = [&](Eigen::MatrixXd& matrix, double value) {
-          double& entry = matrix(field, source);
-          entry = (m == 0 ? 0.0 : entry) + sign * value;
-        };
-        put(part.direct, direct.potential);
-        put(part.image, image.potential);
-        if (source >= hull_) continue;
-        put(part.directNormal, direct.doubleLayer);
-        put(part.imageNormal, image.doubleLayer);
-      }
-    }
-  }
-}
-
-void InfluenceMatrices::findNearPairs(int source) {
-  const Panel& panel = panels_[static_cast<std::size_t>(source)];
-  const RankinePanel rankine(
-      std::span(panel.corner.data(), static_cast<std::size_t>(panel.corners)));
-  for (int m = 0; m < parities(); ++m)
-    for (int field = 0; field < all_; ++field) {
-      if (!isNear(field, source, m == 1)) continue;
-      const Vec3 x = imageInY(panels_[static_cast<std::size_t>(field)].centroid, m == 1);
-      near_[static_cast<std::size_t>(source)].push_back(
-          {field, m == 1, nearImage(x, panel, rankine)});
-    }
-}
-
-std::array<InfluencePair<Complex>, 2> InfluenceMatrices::atWaveNumber(double K) const {
-  std::array<InfluencePair<Complex>, 2> systems;
-  for (int p = 0; p < parities(); ++p) {
-    const Rankine& part = rankine_[static_cast<std::size_t>(p)];
-    auto& [L, R] = systems[static_cast<std::size_t>(p)];
-    L.resize(all_, all_);
-    R.resize(all_, hull_);
-    const int lid = all_ - hull_;
-    L.leftCols(hull_) = (kG * (part.directNormal + part.imageNormal)).cast<Complex>();
-    L.rightCols(lid) =
-        (kG * K * (part.direct.rightCols(lid) + part.image.rightCols(lid))).cast<Complex>();
-    R = (kG * (part.direct.leftCols(hull_) + part.image.leftCols(hull_))).cast<Complex>();
-    L.diagonal().head(hull_).array() += 0.5;
-    L.diagonal().tail(lid).array() -= 1.0;
-  }
-  addFarWaves(K, systems);
-  addNearWaves(K, systems);
+std::array<InfluenceSystem<Complex>, 2> InfluenceMatrices::atWaveNumber(double K,
+                                                                        IdleLid idle) const {
+  const double share = lidShare(K);
+  const bool drop = share == 0.0 && idle == IdleLid::Drop;
+  const int all = drop ? pairs_.hull() : pairs_.all();
+  Systems systems;
+  start(K, all, systems);
+  addFarWaves(K, all, systems);
+  addNearWaves(K, all, systems);
+  if (!drop) scaleLid(share, systems);
   return systems;
 }
 
-void InfluenceMatrices::addWave(int field, int source, double K, const WaveIntegral& wave,
-                                bool mirrored,
-                                std::array<InfluencePair<Complex>, 2>& systems) const {
+/// The parts that need no wave term, the lid's rows at share 1.
+void InfluenceMatrices::start(double K, int all, Systems& systems) const {
+  const int hull = pairs_.hull(), lid = all - hull;
   for (int p = 0; p < parities(); ++p) {
-    auto& [L, R] = systems[static_cast<std::size_t>(p)];
-    const double factor = mirrored && p == 1 ? -kG : kG;
-    if (source < hull_) {
-      L(field, source) += factor * wave.normal;
-      R(field, source) += factor * wave.value;
+    const RankineParts& part = rankine_.parts(static_cast<Parity>(p));
+    auto& [L, R, H, formulation] = systems[static_cast<std::size_t>(p)];
+    formulation = settings().formulation;
+    const auto both = [&](const Eigen::MatrixXd& direct, const Eigen::MatrixXd& image, int rows,
+                          int columns) -> Eigen::MatrixXcd {
+      return (kG * (direct.topLeftCorner(rows, columns) + image.topLeftCorner(rows, columns)))
+          .template cast<Complex>();
+    };
+    const Eigen::MatrixXcd G = both(part.direct, part.image, all, all);
+    L = both(part.directNormal, part.imageNormal, all, all);
+    if (pairs_.isSource()) {
+      L.bottomRows(lid) = K * G.bottomRows(lid);
+      R = G.topRows(hull);
+      if (settings().xDerivative) {
+        H = both(part.directX, part.imageX, hull, all);
+        for (int i = 0; i < hull; ++i) H(i, i) += 0.5 * pairs_.panel(i).normal.x();
+      }
     } else {
-      L(field, source) += factor * K * wave.value;
+      L.rightCols(lid) = K * G.rightCols(lid);
+      R = G.leftCols(hull);
     }
+    L.diagonal().head(hull).array() += 0.5;
+    L.diagonal().tail(lid).array() -= 1.0;
   }
 }
 
-const std::vector<QuadraturePoint>& InfluenceMatrices::points(int source, int n) const {
-  return points_[static_cast<std::size_t>(source)][static_cast<std::size_t>(n - 1)];
-}
-
-int InfluenceMatrices::pointsPerSide(int field, int source, double K) const {
-  const auto f = static_cast<std::size_t>(field), s = static_cast<std::size_t>(source);
-  const double theta = 0.5 * K * size_[s];
-  double error = std::exp(0.5 * K * (panels_[f].centroid.z() + top_[s]));
-  for (int n = 1; n < kMostPoints; ++n) {
-    error *= theta * theta;
-    if (error * kGaussError[static_cast<std::size_t>(n - 1)] < kWaveError) return n;
+void InfluenceMatrices::scaleLid(double share, Systems& systems) const {
+  const int hull = pairs_.hull(), lid = pairs_.all() - hull;
+  for (int p = 0; p < parities(); ++p) {
+    auto& system = systems[static_cast<std::size_t>(p)];
+    system.L.diagonal().tail(lid).array() += 1.0;
+    system.L.bottomRows(lid) *= share;
+    system.L.diagonal().tail(lid).array() -= 1.0;
+    if (!pairs_.isSource()) system.R.bottomRows(lid) *= share;
   }
-  return kMostPoints;
 }
 
-void InfluenceMatrices::addFarWaves(double K,
-                                    std::array<InfluencePair<Complex>, 2>& systems) const {
-  for (int j = 0; j < all_; ++j)
+void InfluenceMatrices::add(const Pair& pair, double K, const WaveIntegral& wave, Complex x,
+                            Systems& systems) const {
+  const int hull = pairs_.hull();
+  const bool onLid = pairs_.isSource() ? pair.field >= hull : pair.source >= hull;
+  for (int p = 0; p < parities(); ++p) {
+    auto& [L, R, H, formulation] = systems[static_cast<std::size_t>(p)];
+    const double factor = pair.mirrored && p == 1 ? -kG : kG;
+    L(pair.field, pair.source) += factor * (onLid ? K * wave.value : wave.along);
+    if (onLid) continue;
+    R(pair.field, pair.source) += factor * wave.value;
+    if (H.size() > 0) H(pair.field, pair.source) += factor * x;
+  }
+}
+
+void InfluenceMatrices::addFarWaves(double K, int all, Systems& systems) const {
+  for (int j = 0; j < all; ++j)
     for (int i = 0; i <= j; ++i)
       for (int m = 0; m < parities(); ++m) {
-        const bool mirrored = m == 1;
-        if (isNear(i, j, mirrored)) continue;
-        const int onJ = pointsPerSide(i, j, K), onI = pointsPerSide(j, i, K);
-        if (onJ == 1 && onI == 1) {
-          addFarPair(i, j, mirrored, K, systems);
+        const Pair pair{i, j, m == 1}, back{j, i, m == 1};
+        if (pairs_.isNear(pair)) continue;
+        if (pairs_.pointsPerSide(i, j, K) == 1 && pairs_.pointsPerSide(j, i, K) == 1) {
+          addFarPair(pair, K, systems);
         } else {
-          addFarWave(i, j, mirrored, onJ, K, systems);
-          if (i != j) addFarWave(j, i, mirrored, onI, K, systems);
+          addFarWave(pair, K, systems);
+          if (i != j) addFarWave(back, K, systems);
         }
       }
-}
-
-/// ∫ 1/R₁ dS and ∫ ∂(1/R₁)/∂n dS of one panel, from those of the two parities.
-RankineIntegrals InfluenceMatrices::imageOf(int field, int source, bool mirrored) const {
-  const auto part = [&](const Eigen::MatrixXd Rankine::*matrix) {
-    const double even = (rankine_[0].*matrix)(field, source);
-    if (!mesh_.symmetric) return even;
-    const double odd = (rankine_[1].*matrix)(field, source);
-    return 0.5 * (mirrored ? even - odd : even + odd);
-  };
-  RankineIntegrals image;
-  image.potential = part(&Rankine::image);
-  if (source < hull_) image.doubleLayer = part(&Rankine::imageNormal);
-  return image;
 }
 
 // The wave term of two centroids serves both directions: it depends on the horizontal distance and
 // on z + ζ only. With mirrored, x_i at −y_i seen from j is the mirror image of x_j at −y_j seen
 // from i.
-void InfluenceMatrices::addFarPair(int i, int j, bool mirrored, double K,
-                                   std::array<InfluencePair<Complex>, 2>& systems) const {
-  const Panel &a = panels_[static_cast<std::size_t>(i)], &b = panels_[static_cast<std::size_t>(j)];
-  const Vec3 fromA = b.centroid - imageInY(a.centroid, mirrored);
-  const Vec3 fromB = a.centroid - imageInY(b.centroid, mirrored);
-  const double h = std::sqrt(fromA.x() * fromA.x() + fromA.y() * fromA.y());
-  const double perH = h > 0.0 ? 1.0 / h : 0.0;
-  const WavePoint w(K, K * h, -K * (a.centroid.z() + b.centroid.z()));
-  const auto along = [perH](const Vec3& n, const Vec3& d) {
-    return (n.x() * d.x() + n.y() * d.y()) * perH;
+void InfluenceMatrices::addFarPair(const Pair& pair, double K, Systems& systems) const {
+  const Pair back{pair.source, pair.field, pair.mirrored};
+  const auto apart = [&](const Pair& p) -> Vec3 {
+    return pairs_.panel(p.source).centroid -
+           imageInY(pairs_.panel(p.field).centroid, p.mirrored);
   };
+  const Vec3 d = apart(pair);
+  const double h = std::sqrt(d.x() * d.x() + d.y() * d.y()), perH = h > 0.0 ? 1.0 / h : 0.0;
+  const double depth =
+      -(pairs_.panel(pair.field).centroid.z() + pairs_.panel(pair.source).centroid.z());
+  const WavePoint w(K, K * h, K * depth);
   // In place of −2/R₁ of the centroids goes the panel's own, as far as K F has become that. With
   // more points than one the two are the same.
-  const double depth = -(a.centroid.z() + b.centroid.z()), R1 = std::hypot(h, depth);
-  const double share = 2.0 * inverseShare(K * R1), perR1 = 1.0 / R1;
-  const auto add = [&](int field, int source, const Panel& panel, const Vec3& d) {
-    const double towards = along(panel.normal, d), up = panel.normal.z();
-    const RankineIntegrals image = imageOf(field, source, mirrored);
-    const Complex value = w.value + share * perR1;
-    const Complex slope =
-        towards * w.slope - up * w.rise - share * (towards * h - up * depth) * std::pow(perR1, 3);
-    addWave(field, source, K,
-            {panel.area * value - share * image.potential,
-             panel.area * slope - share * image.doubleLayer},
-            mirrored, systems);
+  const double R1 = std::hypot(h, depth);
+  const double share = 2.0 * inverseShare(K * R1), perR1 = 1.0 / R1, perCube = std::pow(perR1, 3);
+  const auto put = [&](const Pair& p, const Vec3& between) {
+    const double area = pairs_.panel(p.source).area;
+    const RankineMatrices::Image image = rankine_.imageOf(p);
+    const auto derivative = [&](const Vec3& e, double exact) {
+      const double towards = (e.x() * between.x() + e.y() * between.y()) * perH, up = e.z();
+      return area * (towards * w.slope - up * w.rise -
+                     share * (towards * h - up * depth) * perCube) -
+             share * exact;
+    };
+    const Complex value = area * (w.value + share * perR1) - share * image.potential;
+    const Complex x =
+        settings().xDerivative ? derivative(-Vec3::UnitX(), image.x) : Complex(0.0, 0.0);
+    add(p, K, {value, derivative(pairs_.direction(p), image.normal)}, x, systems);
   };
-  add(i, j, b, fromA);
-  if (i != j) add(j, i, a, fromB);
+  put(pair, d);
+  if (pair.field != pair.source) put(back, apart(back));
 }
 
-void InfluenceMatrices::addFarWave(int field, int source, bool mirrored, int n, double K,
-                                   std::array<InfluencePair<Complex>, 2>& systems) const {
-  const auto s = static_cast<std::size_t>(source);
-  const Vec3 x = imageInY(panels_[static_cast<std::size_t>(field)].centroid, mirrored);
+void InfluenceMatrices::addFarWave(const Pair& pair, double K, Systems& systems) const {
+  const Vec3 e = pairs_.direction(pair);
+  const double fieldArea = pairs_.panel(pair.field).area;
   WaveIntegral sum{};
-  for (const QuadraturePoint& point : points(source, n)) {
-    const WaveIntegral at = waveAtPoint(x, point.x, panels_[s].normal, K);
-    sum.value += point.weight * at.value;
-    sum.normal += point.weight * at.normal;
+  Complex sumX = 0.0;
+  const int n = pairs_.pointsPerSide(pair.field, pair.source, K);
+  for (const QuadraturePoint& at : pairs_.points(pair.field, pairs_.fieldPointsPerSide(pair, K))) {
+    const Vec3 x = imageInY(at.x, pair.mirrored);
+    for (const QuadraturePoint& point : pairs_.points(pair.source, n)) {
+      const double dx = point.x.x() - x.x(), dy = point.x.y() - x.y();
+      const double h = std::sqrt(dx * dx + dy * dy), perH = h > 0.0 ? 1.0 / h : 0.0;
+      const WavePoint w(K, K * h, -K * (x.z() + point.x.z()));
+      const double weight = point.weight * at.weight / fieldArea;
+      sum.value += weight * w.value;
+      sum.along += weight * ((e.x() * dx + e.y() * dy) * perH * w.slope - e.z() * w.rise);
+      sumX -= weight * dx * perH * w.slope;
+    }
   }
-  addWave(field, source, K, sum, mirrored, systems);
+  add(pair, K, sum, sumX, systems);
 }
 
-void InfluenceMatrices::addNearWaves(double K,
-                                     std::array<InfluencePair<Complex>, 2>& systems) const {
-  for (int source = 0; source < all_; ++source) {
-    const auto s = static_cast<std::size_t>(source);
-    for (const NearPair& pair : near_[s]) {
-      const Vec3 x =
-          imageInY(panels_[static_cast<std::size_t>(pair.field)].centroid, pair.mirrored);
-      const auto& at = points(source, std::max(2, pointsPerSide(pair.field, source, K)));
-      addWave(pair.field, source, K, nearWave(x, pair.image, panels_[s].normal, at, K),
-              pair.mirrored, systems);
+void InfluenceMatrices::addNearWaves(double K, int all, Systems& systems) const {
+  const bool split = settings().sourcePoints == 0;
+  for (int source = 0; source < all; ++source) {
+    for (const NearPair& near : rankine_.near(source)) {
+      const Pair& pair = near.pair;
+      if (pair.field >= all) continue;
+      const int n = pairs_.pointsPerSide(pair.field, source, K);
+      const auto& on = pairs_.points(source, split ? std::max(2, n) : n);
+      const Vec3 e = pairs_.direction(pair);
+      const double area = pairs_.panel(pair.field).area;
+      WaveIntegral sum{};
+      Complex sumX = 0.0;
+      for (const QuadraturePoint& at :
+           pairs_.points(pair.field, pairs_.fieldPointsPerSide(pair, K))) {
+        const Vec3 x = imageInY(at.x, pair.mirrored);
+        const double weight = at.weight / area;
+        const WaveIntegral one = nearWave(x, near.image, e, on, K);
+        sum.value += weight * one.value;
+        sum.along += weight * one.along;
+        if (settings().xDerivative)
+          sumX += weight * nearWave(x, near.alongX, -Vec3::UnitX(), on, K).along;
+      }
+      add(pair, K, sum, sumX, systems);
     }
   }
 }
 
-InfluencePair<double> InfluenceMatrices::atLimit(FrequencyLimit limit, Parity parity) const {
-  const Rankine& part = rankine_[static_cast<std::size_t>(parity)];
+InfluenceSystem<double> InfluenceMatrices::atLimit(FrequencyLimit limit, Parity parity) const {
+  const RankineParts& part = rankine_.parts(parity);
+  const int hull = pairs_.hull();
   const double sign = limit == FrequencyLimit::Zero ? 1.0 : -1.0;
-  InfluencePair<double> system;
-  system.L = kG * (part.directNormal.topRows(hull_) + sign * part.imageNormal.topRows(hull_));
-  system.R = kG * (part.direct.topLeftCorner(hull_, hull_) +
-                   sign * part.image.topLeftCorner(hull_, hull_));
+  const auto both = [&](const Eigen::MatrixXd& direct,
+                        const Eigen::MatrixXd& image) -> Eigen::MatrixXd {
+    return kG * (direct.topLeftCorner(hull, hull) + sign * image.topLeftCorner(hull, hull));
+  };
+  InfluenceSystem<double> system;
+  system.formulation = settings().formulation;
+  system.L = both(part.directNormal, part.imageNormal);
   system.L.diagonal().array() += 0.5;
+  system.R = both(part.direct, part.image);
+  if (!settings().xDerivative) return system;
+  system.H = both(part.directX, part.imageX);
+  for (int i = 0; i < hull; ++i) system.H(i, i) += 0.5 * pairs_.panel(i).normal.x();
   return system;
 }
 

@@ -1,22 +1,18 @@
 #pragma once
-#include <array>
-#include <vector>
-
-#include "hydro/bem/NearWave.h"
-#include "hydro/geometry/PanelMesh.h"
+#include "hydro/bem/RankineMatrices.h"
 
 namespace cutwater {
 
-/// Even or odd in y. The potentials of modes 1, 3, 5 are even, of 2, 4, 6 odd; a hull solved whole
-/// has one system only, stored as Even.
-enum class Parity { Even = 0, Odd = 1 };
-
-/// L φ = R v, one parity. Unknowns φ: potential at the n hull panels, then the m lid densities.
+/// One parity's system. Potential: L φ = R v, the unknowns the potential at the n hull panels, then
+/// the m lid densities. Source: L σ = v (0 on the lid), φ = R σ, ∂φ/∂x = H σ, all n + m panels
+/// sources.
 template <typename Scalar>
-struct InfluencePair {
+struct InfluenceSystem {
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
   Matrix L;  ///< (n + m) × (n + m)
-  Matrix R;  ///< (n + m) × n, [m]
+  Matrix R;  ///< potential: (n + m) × n, source: n × (n + m) [m]
+  Matrix H;  ///< n × (n + m), or empty
+  Formulation formulation = Formulation::Potential;
 };
 
 /// The two limits of the free-surface condition.
@@ -25,75 +21,72 @@ enum class FrequencyLimit {
   Infinite
 };  ///< image +1/R₁ (rigid surface) or −1/R₁ (φ = 0 on z = 0)
 
-/// Matrices of the potential formulation for a hull held at rest in deep water, e^{+iωt}:
-///     ½φ(x) + ∫ φ ∂G/∂n_ξ dS = ∫ G v dS,   v = ∂φ/∂n
+/// What becomes of lid rows that are idle (lidShare is 0).
+enum class IdleLid {
+  Drop,  ///< the system is that of the hull alone
+  Keep   ///< they say that the lid's densities are 0: the same size at every frequency
+};
+
+/// Matrices of a hull held at rest in deep water, e^{+iωt}, φ, v, σ constant on each panel:
+///     ½φ(x) + ∫ φ ∂G/∂n_ξ dS = ∫ G v dS,  v = ∂φ/∂n                    (potential)
+///     ½σ(x) + ∫ σ ∂G/∂n_x dS = v,  φ = ∫ G σ dS,  ∂φ/∂x = ½n_x σ + ∫ σ ∂G/∂x dS   (source, [M03]
+///                                                                        (49)-(54))
 ///     G = −(1/4π)[1/R + 1/R₁ + K F(X, Y) − 2πiK e^{−Y}J₀(X)],   K = ω²/g
-/// collocated at panel centroids, φ and v constant on each panel. 1/R and 1/R₁ are integrated
-/// exactly, once, for all frequencies. The wave term takes n × n points of the source panel, n = 1
-/// where waves are long or lie far above, up to 4. In short waves K F becomes −2/R₁; that share is
-/// integrated exactly too, so that K → ∞ is atLimit(Infinite) panel by panel. Where the image is
-/// near and waves are long, the singular part −2 ln((R + Y)/2) is split off and integrated once.
+/// Each equation is averaged over its panel by 4 or 9 points (Galerkin), or taken at its centroid.
+/// With Galerkin weights the two formulations are transposes of each other to quadrature error. 1/R
+/// and 1/R₁ are integrated exactly, once, for all frequencies. The wave term takes n × n points of
+/// the source panel, n = 1 where waves are long or lie far above, up to 4. In short waves K F
+/// becomes −2/R₁; that share is integrated exactly too, so that K → ∞ is atLimit(Infinite) panel by
+/// panel. Where the image is near and waves are long, the singular part −2 ln((R + Y)/2) is split
+/// off and integrated once.
 ///
 /// Symmetric hulls, [M03] (57)-(60): port panels only, D_even = D_pp + D_ps, D_odd = D_pp − D_ps.
 ///
-/// Lid, the extended boundary integral equations [Lee & Sclavounos 1989, Lee, Newman & Zhu 1996]:
-/// derived in the .cpp; the solution outside is that of the hull alone, at every frequency.
-/// Immutable; any thread may call. Memory: 8(n + m)² doubles if symmetric, else 4.
+/// Lid, the extended boundary integral equations [Lee & Sclavounos 1989, Lee, Newman & Zhu 1996], no
+/// more of it than uniqueness needs: derived in the .cpp; the solution outside is that of the hull
+/// alone, at every frequency. Immutable; any thread may call. Memory: 8(n + m)² doubles if
+/// symmetric, else 4; 12 and 6 with H.
 class InfluenceMatrices {
  public:
-  /// Computes the Rankine parts: about 4(n + m)n panel integrals if symmetric.
-  /// @param threads ≥ 1; the result does not depend on it.
-  explicit InfluenceMatrices(PanelMesh mesh, int threads = 1);
+  /// Computes the Rankine parts.  @throws HydroError BadArgument, as PanelPairs.
+  explicit InfluenceMatrices(PanelMesh mesh, const InfluenceSettings& settings = {});
+  InfluenceMatrices(const InfluenceMatrices&) = delete;
+  InfluenceMatrices& operator=(const InfluenceMatrices&) = delete;
 
-  const PanelMesh& mesh() const noexcept { return mesh_; }
+  const PanelMesh& mesh() const noexcept { return pairs_.mesh(); }
+  const InfluenceSettings& settings() const noexcept { return pairs_.settings(); }
   /// Number of hull panels n.
-  int hullPanels() const noexcept { return hull_; }
+  int hullPanels() const noexcept { return pairs_.hull(); }
   /// The systems to be solved: Even and Odd, or Even alone.
-  int parities() const noexcept { return mesh_.symmetric ? 2 : 1; }
+  int parities() const noexcept { return pairs_.parities(); }
 
   /// Systems at one frequency, indexed by Parity. O((n + m)²) wave terms.
   /// @param K ω²/g [1/m] > 0.
-  std::array<InfluencePair<Complex>, 2> atWaveNumber(double K) const;
+  std::array<InfluenceSystem<Complex>, 2> atWaveNumber(double K,
+                                                       IdleLid idle = IdleLid::Drop) const;
 
   /// Systems at ω → 0 or ∞: real, without lid (they have no irregular frequencies).
-  InfluencePair<double> atLimit(FrequencyLimit limit, Parity parity) const;
+  InfluenceSystem<double> atLimit(FrequencyLimit limit, Parity parity) const;
+
+  /// Share s of the lid at wave number K: 0 where the water inside the hull cannot resonate, then
+  /// rising to 1. Inside, the lid makes the wave number (1 − s)K.
+  double lidShare(double K) const noexcept;
+  /// No resonance inside the hull below this K [1/m]: that of the box around it.
+  double leastResonance() const noexcept { return leastResonance_; }
 
  private:
-  /// Source panel and field point, or its mirror image, with the free-surface image near.
-  struct NearPair {
-    int field;
-    bool mirrored;  ///< field point at −y
-    NearImage image;
-  };
-  /// ∫ 1/R dS and ∫ ∂(1/R)/∂n dS of the panels and of their images in z = 0, of one parity.
-  struct Rankine {
-    Eigen::MatrixXd direct, image, directNormal, imageNormal;
-  };
+  using Systems = std::array<InfluenceSystem<Complex>, 2>;
+  void start(double K, int all, Systems& systems) const;
+  void addFarWaves(double K, int all, Systems& systems) const;
+  void addFarPair(const Pair& pair, double K, Systems& systems) const;
+  void addFarWave(const Pair& pair, double K, Systems& systems) const;
+  void addNearWaves(double K, int all, Systems& systems) const;
+  void add(const Pair& pair, double K, const WaveIntegral& wave, Complex x, Systems& systems) const;
+  void scaleLid(double share, Systems& systems) const;
 
-  bool isNear(int i, int j, bool mirrored) const;
-  void computeRankine(int source);
-  void findNearPairs(int source);
-  void addFarWaves(double K, std::array<InfluencePair<Complex>, 2>& systems) const;
-  void addFarPair(int i, int j, bool mirrored, double K,
-                  std::array<InfluencePair<Complex>, 2>& systems) const;
-  void addFarWave(int field, int source, bool mirrored, int n, double K,
-                  std::array<InfluencePair<Complex>, 2>& systems) const;
-  const std::vector<QuadraturePoint>& points(int source, int n) const;
-  int pointsPerSide(int field, int source, double K) const;
-  RankineIntegrals imageOf(int field, int source, bool mirrored) const;
-  void addNearWaves(double K, std::array<InfluencePair<Complex>, 2>& systems) const;
-  void addWave(int field, int source, double K, const WaveIntegral& wave, bool mirrored,
-               std::array<InfluencePair<Complex>, 2>& systems) const;
-
-  PanelMesh mesh_;
-  int hull_, all_;             // n, n + m
-  std::vector<Panel> panels_;  // hull, then lid
-  std::vector<double> size_;   // diameter of each panel [m]
-  std::vector<double> top_;    // highest z of each panel [m]
-  std::array<Rankine, 2> rankine_;
-  std::vector<std::vector<NearPair>> near_;  // of each source panel
-  // n × n points on each source panel, n = 1 … 4
-  std::vector<std::array<std::vector<QuadraturePoint>, 4>> points_;
+  PanelPairs pairs_;
+  RankineMatrices rankine_;
+  double leastResonance_;
 };
 
 }  // namespace cutwater

@@ -10,39 +10,41 @@ namespace {
 constexpr Complex kTwoPiI(0.0, 2.0 * kPi);
 constexpr double kEulerGamma = std::numbers::egamma;
 
-/// ρ and n_h·∇_ξ ln ρ = n_h·(ξ − x)_h / (R₁ρ) at one point, times its weight.
-void addLog(const Vec3& x, const Vec3& n, const QuadraturePoint& point, NearImage& sum) {
+/// ρ and e_h·∇_ξ ln ρ = e_h·(ξ − x)_h / (R₁ρ) at one point, times its weight.
+void addLog(const Vec3& x, const Vec3& along, const QuadraturePoint& point, NearImage& sum) {
   const double dx = point.x.x() - x.x(), dy = point.x.y() - x.y();
   const double depth = -(x.z() + point.x.z());
   const double R1 = std::sqrt(dx * dx + dy * dy + depth * depth);
   const double rho = R1 + depth;
   sum.log += point.weight * std::log(rho);
-  sum.logHorizontal += point.weight * (n.x() * dx + n.y() * dy) / (R1 * rho);
+  sum.logAlong += point.weight * (along.x() * dx + along.y() * dy) / (R1 * rho);
 }
 
 /// Quarters the panel until it is smaller than its distance from the image of x; the 4 × 4 rule
 /// then leaves less than 1e-5 of a logarithm.
-void addSubdivided(const Vec3& x, const Vec3& image, const Panel& source, int depth,
+void addSubdivided(const Vec3& x, const Vec3& along, const Panel& source, int depth,
                    NearImage& sum) {
+  const Vec3 image(x.x(), x.y(), -x.z());
   double radius = 0.0;
   for (const Vec3& corner : source.corner)
     radius = std::max(radius, (corner - source.centroid).norm());
   if (depth > 0 && (image - source.centroid).norm() < 2.0 * radius) {
-    for (const Panel& part : quarters(source)) addSubdivided(x, image, part, depth - 1, sum);
+    for (const Panel& part : quarters(source)) addSubdivided(x, along, part, depth - 1, sum);
     return;
   }
   for (const QuadraturePoint& point : panelQuadrature(source, 4))
-    addLog(x, source.normal, point, sum);
+    addLog(x, along, point, sum);
 }
 
 }  // namespace
 
-NearImage nearImage(const Vec3& x, const Panel& source, const RankinePanel& rankine) {
+NearImage nearImage(const Vec3& x, const Panel& source, const RankinePanel& rankine,
+                    const Vec3& along) {
   NearImage sum;
   const Vec3 image(x.x(), x.y(), -x.z());
   const RankineIntegrals integrals = rankine.at(image);
   sum.inverse = integrals.potential;
-  sum.inverseNormal = integrals.doubleLayer;
+  sum.inverseAlong = -along.dot(integrals.gradient);
   sum.distance = (source.centroid - image).norm();
   const double tiny = 1e-9 * rankine.radius();
   if (std::abs(x.z()) < tiny && std::abs(source.centroid.z()) < tiny &&
@@ -51,7 +53,7 @@ NearImage nearImage(const Vec3& x, const Panel& source, const RankinePanel& rank
     return sum;
   }
   constexpr int kDeepest = 5;
-  addSubdivided(x, image, source, kDeepest, sum);
+  addSubdivided(x, along, source, kDeepest, sum);
   return sum;
 }
 
@@ -62,27 +64,19 @@ WavePoint::WavePoint(double K, double X, double Y) {
   rise = K * K * Complex(w.FY, 2.0 * kPi * w.J0);
 }
 
-WaveIntegral waveAtPoint(const Vec3& x, const Vec3& xi, const Vec3& n, double K) {
-  const double dx = xi.x() - x.x(), dy = xi.y() - x.y();
-  const double h = std::sqrt(dx * dx + dy * dy);
-  const WavePoint w(K, K * h, -K * (x.z() + xi.z()));
-  const double along = h > 0.0 ? (n.x() * dx + n.y() * dy) / h : 0.0;
-  return {w.value, along * w.slope - n.z() * w.rise};
-}
-
 // With L = ln((R + Y)/2) = ln ρ + ln(K/2):  F = (F + 2L) − 2L and F_Y = −F − 2/R, so that
 //   ∫ K F dS              = K Σ w (F + 2L) − 2K [∫ ln ρ dS + ln(K/2) ΔS]
 //   ∫ ∂(K F)/∂ζ dS        = −K² ∫ F_Y dS = K ∫ K F dS + 2K ∫ 1/R₁ dS
-//   ∫ n_h·∇(K F) dS       = K² Σ w (F_X + 2 L_X) n_h·e_h − 2K ∫ n_h·∇ ln ρ dS
+//   ∫ e_h·∇(K F) dS       = K² Σ w (F_X + 2 L_X) e_h·d/|d| − 2K ∫ e_h·∇ ln ρ dS
 // F + 2L is continuous with value −2γ at R = 0; F_X + 2L_X is bounded. Where R is large,
 // F = −2/R − 2Y/R³ … and the logarithm would have to cancel; there
 //   ∫ K F dS              = K Σ w (F + 2/R) − 2 ∫ 1/R₁ dS
-//   ∫ ∂(K F)/∂n dS        = Σ w ∂(K F + 2/R₁)/∂n − 2 ∫ ∂(1/R₁)/∂n dS,
+//   ∫ e·∇(K F) dS         = Σ w e·∇(K F + 2/R₁) − 2 ∫ e·∇(1/R₁) dS,
 // whose limit K → ∞ is the rest system with φ = 0 on z = 0, panel by panel.
-WaveIntegral nearWave(const Vec3& x, const NearImage& image, const Vec3& normal,
+WaveIntegral nearWave(const Vec3& x, const NearImage& image, const Vec3& along,
                       std::span<const QuadraturePoint> points, double K) {
   double area = 0.0, smooth = 0.0, smoothHorizontal = 0.0, oscillation = 0.0, oscillationX = 0.0;
-  double rest = 0.0, restNormal = 0.0;
+  double rest = 0.0, restAlong = 0.0;
   const double share = inverseShare(K * image.distance);
   for (const QuadraturePoint& point : points) {
     const double dx = point.x.x() - x.x(), dy = point.x.y() - x.y();
@@ -95,23 +89,23 @@ WaveIntegral nearWave(const Vec3& x, const NearImage& image, const Vec3& normal,
       continue;
     }
     const WaveTerm w = waveTerm(X, Y);
-    const double along = h > 0.0 ? point.weight * (normal.x() * dx + normal.y() * dy) / h : 0.0;
+    const double towards = h > 0.0 ? point.weight * (along.x() * dx + along.y() * dy) / h : 0.0;
     smooth += point.weight * (w.F + 2.0 * std::log(0.5 * (R + Y)));
-    smoothHorizontal += along * (w.FX + 2.0 * X / (R * (R + Y)));
+    smoothHorizontal += towards * (w.FX + 2.0 * X / (R * (R + Y)));
     rest += point.weight * (w.F + 2.0 / R);
-    restNormal += along * (w.FX - 2.0 * X / (R * R * R)) -
-                  point.weight * normal.z() * (w.FY - 2.0 * Y / (R * R * R));
+    restAlong += towards * (w.FX - 2.0 * X / (R * R * R)) -
+                  point.weight * along.z() * (w.FY - 2.0 * Y / (R * R * R));
     oscillation += point.weight * w.J0;
-    oscillationX += along * w.J1;
+    oscillationX += towards * w.J1;
   }
   const double value = K * (smooth - 2.0 * (image.log + std::log(0.5 * K) * area));
   const double vertical = K * value + 2.0 * K * image.inverse;
-  const double horizontal = K * K * smoothHorizontal - 2.0 * K * image.logHorizontal;
+  const double horizontal = K * K * smoothHorizontal - 2.0 * K * image.logAlong;
   const double shortValue = K * rest - 2.0 * image.inverse;
-  const double shortNormal = K * K * restNormal - 2.0 * image.inverseNormal;
+  const double shortAlong = K * K * restAlong - 2.0 * image.inverseAlong;
   return {std::lerp(value, shortValue, share) - kTwoPiI * K * oscillation,
-          std::lerp(horizontal + normal.z() * vertical, shortNormal, share) +
-              kTwoPiI * K * K * (oscillationX - normal.z() * oscillation)};
+          std::lerp(horizontal + along.z() * vertical, shortAlong, share) +
+              kTwoPiI * K * K * (oscillationX - along.z() * oscillation)};
 }
 
 }  // namespace cutwater

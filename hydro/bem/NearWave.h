@@ -11,20 +11,21 @@ namespace cutwater {
 struct NearImage {
   double log = 0.0;            ///< ∫ ln ρ dS [m² ln m]
   double inverse = 0.0;        ///< ∫ 1/R₁ dS [m]
-  double inverseNormal = 0.0;  ///< ∫ ∂(1/R₁)/∂n dS [–]
+  double inverseAlong = 0.0;   ///< ∫ e·∇_ξ (1/R₁) dS [–], e the direction of the derivative
   double distance = 0.0;       ///< R₁ of the centroid [m]
-  double logHorizontal = 0.0;  ///< ∫ n_h·∇_ξ ln ρ dS [m], n_h the horizontal part of the normal
+  double logAlong = 0.0;       ///< ∫ e_h·∇_ξ ln ρ dS [m], e_h the horizontal part of e
 };
 
-/// Exact where x and the panel are both on z = 0; else `log` and `logHorizontal` by Gauss points on
+/// Exact where x and the panel are both on z = 0; else `log` and `logAlong` by Gauss points on
 /// quarters of quarters of the panel, relative error below 1e-5.
-/// @param rankine of the same panel.
-NearImage nearImage(const Vec3& x, const Panel& source, const RankinePanel& rankine);
+/// @param rankine of the same panel.  @param along e.
+NearImage nearImage(const Vec3& x, const Panel& source, const RankinePanel& rankine,
+                    const Vec3& along);
 
 /// Wave part g = K F − 2πiK e^{−Y}J₀ of −4πG, integrated over a source panel.
 struct WaveIntegral {
-  Complex value;   ///< ∫ g dS [m]
-  Complex normal;  ///< ∫ ∂g/∂n_ξ dS [–]
+  Complex value;  ///< ∫ g dS [m]
+  Complex along;  ///< ∫ e·∇_ξ g dS [–]
 };
 
 /// g and its derivatives at K·(horizontal distance) X and Y = −K(z + ζ).
@@ -35,9 +36,6 @@ struct WavePoint {
   Complex rise;   ///< −∂g/∂ζ [1/m²]
 };
 
-/// The wave part at one point ξ with normal n (not yet times an area). @pre x, ξ not both on z = 0
-/// at the same place.
-WaveIntegral waveAtPoint(const Vec3& x, const Vec3& xi, const Vec3& n, double K);
 
 /// Share w of −2/R₁ taken out of K F and integrated exactly: 0 in long waves, 1 in short ones. Half
 /// at R = 4, where F + 2/R has become smooth on a panel as near as it is long.
@@ -50,7 +48,7 @@ inline double inverseShare(double R) {
 /// With the singular part exact and the rest at the `points` of the panel: the share w of −2/R₁,
 /// which is what K F becomes in short waves, else −2 ln((R + Y)/2).
 /// @param K [1/m].
-WaveIntegral nearWave(const Vec3& x, const NearImage& image, const Vec3& normal,
+WaveIntegral nearWave(const Vec3& x, const NearImage& image, const Vec3& along,
                       std::span<const QuadraturePoint> points, double K);
 
 }  // namespace cutwater

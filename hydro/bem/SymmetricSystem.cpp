@@ -75,18 +75,31 @@ double Factorization<Scalar>::condition() const {
 }
 
 template <typename Scalar>
-SymmetricSystem<Scalar>::SymmetricSystem(std::array<InfluencePair<Scalar>, 2> systems, int parities)
-    : parities_(parities) {
+SymmetricSystem<Scalar>::SymmetricSystem(std::array<InfluenceSystem<Scalar>, 2> systems,
+                                         int parities)
+    : parities_(parities), isSource_(systems[0].formulation == Formulation::Source) {
   for (std::size_t p = 0; p < static_cast<std::size_t>(parities); ++p) {
     right_[p] = std::move(systems[p].R);
+    derivative_[p] = std::move(systems[p].H);
     left_[p] = Factorization<Scalar>(std::move(systems[p].L));
   }
+}
+
+/// Zeros on the lid below what is given on the hull.
+template <typename Scalar>
+typename SymmetricSystem<Scalar>::Matrix SymmetricSystem<Scalar>::extended(
+    Parity parity, const Matrix& onHull) const {
+  const Matrix& right = right_[static_cast<std::size_t>(parity)];
+  Matrix all = Matrix::Zero(isSource_ ? right.cols() : right.rows(), onHull.cols());
+  all.topRows(onHull.rows()) = onHull;
+  return all;
 }
 
 template <typename Scalar>
 typename SymmetricSystem<Scalar>::Matrix SymmetricSystem<Scalar>::potentials(
     Parity parity, const Matrix& v) const {
   const auto p = static_cast<std::size_t>(parity);
+  if (isSource_) return right_[p] * left_[p].solve(extended(parity, v));
   return left_[p].solve(right_[p] * v).topRows(v.rows());
 }
 
@@ -94,9 +107,22 @@ template <typename Scalar>
 typename SymmetricSystem<Scalar>::Matrix SymmetricSystem<Scalar>::adjoints(Parity parity,
                                                                            const Matrix& w) const {
   const auto p = static_cast<std::size_t>(parity);
-  Matrix onAll = Matrix::Zero(right_[p].rows(), w.cols());
-  onAll.topRows(w.rows()) = w;
-  return right_[p].transpose() * left_[p].solveTransposed(std::move(onAll));
+  if (isSource_) return left_[p].solveTransposed(right_[p].transpose() * w).topRows(w.rows());
+  return right_[p].transpose() * left_[p].solveTransposed(extended(parity, w));
+}
+
+template <typename Scalar>
+typename SymmetricSystem<Scalar>::Matrix SymmetricSystem<Scalar>::xDerivatives(
+    Parity parity, const Matrix& v) const {
+  const auto p = static_cast<std::size_t>(parity);
+  return derivative_[p] * left_[p].solve(extended(parity, v));
+}
+
+template <typename Scalar>
+typename SymmetricSystem<Scalar>::Matrix SymmetricSystem<Scalar>::xAdjoints(Parity parity,
+                                                                            const Matrix& w) const {
+  const auto p = static_cast<std::size_t>(parity);
+  return left_[p].solveTransposed(derivative_[p].transpose() * w).topRows(w.rows());
 }
 
 template <typename Scalar>

@@ -28,26 +28,36 @@ class Factorization {
 };
 
 /// The factored system of one frequency for both parities of a symmetric hull, or the one system of
-/// a hull solved whole. Vectors have one row per hull panel (port panels if symmetric). Immutable;
-/// any thread may call. Cost: (8/3)(n + m)³ flops a parity to build if complex.
+/// a hull solved whole, whichever the formulation. Vectors have one row per hull panel (port panels
+/// if symmetric). Immutable; any thread may call. Cost: (8/3)(n + m)³ flops a parity to build if
+/// complex.
 template <typename Scalar>
 class SymmetricSystem {
  public:
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
   /// @param systems indexed by Parity.  @param parities 1 or 2.
-  SymmetricSystem(std::array<InfluencePair<Scalar>, 2> systems, int parities);
+  SymmetricSystem(std::array<InfluenceSystem<Scalar>, 2> systems, int parities);
 
   int parities() const noexcept { return parities_; }
-  /// φ = L⁻¹ R v on the hull, column by column.
+  /// φ on the hull, column by column: L⁻¹ R v or, from sources, R L⁻¹ v.
   Matrix potentials(Parity parity, const Matrix& v) const;
-  /// b = Rᵀ L⁻ᵀ w, w zero on the lid: bᵀ v = wᵀ φ for every v.
+  /// b with bᵀ v = wᵀ φ for every v: Rᵀ L⁻ᵀ w, w zero on the lid, or L⁻ᵀ Rᵀ w.
   Matrix adjoints(Parity parity, const Matrix& w) const;
+  /// The system has H: ∂φ/∂x straight from sources.
+  bool hasXDerivative() const noexcept { return derivative_[0].size() > 0; }
+  /// ∂φ/∂x = H L⁻¹ v.  @pre hasXDerivative().
+  Matrix xDerivatives(Parity parity, const Matrix& v) const;
+  /// b with bᵀ v = wᵀ ∂φ/∂x: L⁻ᵀ Hᵀ w.  @pre hasXDerivative().
+  Matrix xAdjoints(Parity parity, const Matrix& w) const;
   double condition(Parity parity) const;
 
  private:
+  Matrix extended(Parity parity, const Matrix& onHull) const;
+
   int parities_;
-  std::array<Matrix, 2> right_;
+  bool isSource_;
+  std::array<Matrix, 2> right_, derivative_;
   std::array<Factorization<Scalar>, 2> left_;
 };
 

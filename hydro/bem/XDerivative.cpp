@@ -56,27 +56,43 @@ XDerivative::XDerivative(const SurfaceMesh& wet, const PanelMesh& mesh) {
 }
 
 template <typename Scalar>
-Eigen::Matrix<Scalar, 6, 6> impulseMatrixX(const ModePotentials<Scalar>& potentials,
-                                           const ModeNormals& normals,
-                                           const XDerivative& derivative, double density) {
+Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> xIntegrals(
+    const SymmetricSystem<Scalar>& system, const ModeNormals& normals, const XDerivative& stokes,
+    Parity parity, const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& v,
+    const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& phi) {
+  if (system.hasXDerivative())
+    return normals.area.asDiagonal() * system.xDerivatives(parity, v);
+  const Eigen::VectorXd projected = normals.area.cwiseProduct(normals.n.col(Surge));
+  return projected.asDiagonal() * v + stokes.stokes(parity).cast<Scalar>() * phi;
+}
+
+template <typename Scalar>
+Eigen::Matrix<Scalar, 6, 6> impulseMatrixX(const SymmetricSystem<Scalar>& system,
+                                           const ModePotentials<Scalar>& potentials,
+                                           const ModeNormals& normals, const XDerivative& stokes,
+                                           double density) {
   Eigen::Matrix<Scalar, 6, 6> Z = Eigen::Matrix<Scalar, 6, 6>::Zero();
   const double sides = normals.symmetric ? 2.0 : 1.0;
   for (const Parity parity : normals.parities()) {
     const std::vector<int> modes = normals.modes(parity);
-    const auto& phi = potentials[static_cast<std::size_t>(parity)];
     const Eigen::MatrixXd n = normals.of(parity);
-    const Eigen::MatrixXd normalPart =
-        (normals.area.array() * normals.n.col(Surge).array()).matrix().asDiagonal() * n;
-    Z(modes, modes) = -density * sides *
-                      (n.transpose() * (normalPart.cast<Scalar>() +
-                                        derivative.stokes(parity).cast<Scalar>() * phi));
+    Z(modes, modes) =
+        -density * sides * n.transpose() *
+        xIntegrals<Scalar>(system, normals, stokes, parity, n.template cast<Scalar>(),
+                           potentials[static_cast<std::size_t>(parity)]);
   }
   return Z;
 }
 
-template Mat6 impulseMatrixX(const ModePotentials<double>&, const ModeNormals&, const XDerivative&,
-                             double);
-template CMat6 impulseMatrixX(const ModePotentials<Complex>&, const ModeNormals&,
-                              const XDerivative&, double);
+template Eigen::MatrixXd xIntegrals(const SymmetricSystem<double>&, const ModeNormals&, const XDerivative&, Parity,
+                         const Eigen::MatrixXd&, const Eigen::MatrixXd&);
+template Eigen::Matrix<double, 6, 6> impulseMatrixX(const SymmetricSystem<double>&,
+                                                 const ModePotentials<double>&, const ModeNormals&,
+                                                 const XDerivative&, double);
+template Eigen::MatrixXcd xIntegrals(const SymmetricSystem<Complex>&, const ModeNormals&, const XDerivative&, Parity,
+                         const Eigen::MatrixXcd&, const Eigen::MatrixXcd&);
+template Eigen::Matrix<Complex, 6, 6> impulseMatrixX(const SymmetricSystem<Complex>&,
+                                                 const ModePotentials<Complex>&, const ModeNormals&,
+                                                 const XDerivative&, double);
 
 }  // namespace cutwater

@@ -24,10 +24,19 @@ class XDerivative {
   std::array<Eigen::SparseMatrix<double>, 2> stokes_;
 };
 
+/// ∫ ∂φ/∂x dS of every panel for normal velocities v and their potentials φ, column by column: by H
+/// if the system has it, else by Stokes' theorem.
+template <typename Scalar>
+Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> xIntegrals(
+    const SymmetricSystem<Scalar>& system, const ModeNormals& normals, const XDerivative& stokes,
+    Parity parity, const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& v,
+    const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& phi);
+
 /// ∂Z_jk = −ρ ∫ ∂φ̂_k/∂x n_j dS, ∂B + iω∂A = iω∂Z; at ω → 0 and ∞ it is ∂A.  [M03] (12), (13), (25)
 template <typename Scalar>
-Eigen::Matrix<Scalar, 6, 6> impulseMatrixX(const ModePotentials<Scalar>& potentials,
-                                           const ModeNormals& normals,
-                                           const XDerivative& derivative, double density);
+Eigen::Matrix<Scalar, 6, 6> impulseMatrixX(const SymmetricSystem<Scalar>& system,
+                                           const ModePotentials<Scalar>& potentials,
+                                           const ModeNormals& normals, const XDerivative& stokes,
+                                           double density);
 
 }  // namespace cutwater

@@ -117,6 +117,9 @@ struct Coefficients {
   /// The envelopes themselves, pairs (ω, limit), of the even and odd systems.
   std::vector<std::pair<double, double>> conditionLimitEven, conditionLimitOdd;
 
+  /// The solver's panels are those of solverPanels(ship.wetSurface, ship.symmetric, curvedPanels).
+  bool curvedPanels = false;
+
   /// ‖D‖·‖D⁻¹‖ of the even and odd systems (a hull without symmetry fills only `conditionEven`).
   std::vector<double> conditionEven, conditionOdd;
 };

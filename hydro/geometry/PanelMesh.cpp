@@ -100,6 +100,14 @@ Panel flatPanel(const std::vector<Vec3>& corners) {
   return panel;
 }
 
+double diameter(const Panel& panel) {
+  double size = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(panel.corners); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      size = std::max(size, (panel.corner[i] - panel.corner[j]).norm());
+  return size;
+}
+
 PanelMesh makePanels(const SurfaceMesh& wet, bool symmetric) {
   PanelMesh mesh;
   mesh.symmetric = symmetric;

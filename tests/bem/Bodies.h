@@ -2,12 +2,13 @@
 #include "hydro/bem/Diffraction.h"
 #include "hydro/geometry/Lid.h"
 #include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/SolverPanels.h"
 
 namespace cutwater::test {
 
 /// Panels of a wet surface with its lid, or without.
-inline PanelMesh panels(const SurfaceMesh& wet, bool symmetric, bool lid) {
-  PanelMesh mesh = makePanels(wet, symmetric);
+inline PanelMesh panels(const SurfaceMesh& wet, bool symmetric, bool lid, bool curved = false) {
+  PanelMesh mesh = solverPanels(wet, symmetric, curved);
   if (lid) mesh.lid = makeLid(wet, symmetric);
   return mesh;
 }
@@ -22,7 +23,7 @@ inline SymmetricSystem<Complex> systemAt(const InfluenceMatrices& matrices, doub
 }
 
 inline SymmetricSystem<double> systemAt(const InfluenceMatrices& matrices, FrequencyLimit limit) {
-  std::array<InfluencePair<double>, 2> pairs;
+  std::array<InfluenceSystem<double>, 2> pairs;
   for (int p = 0; p < matrices.parities(); ++p)
     pairs[static_cast<std::size_t>(p)] = matrices.atLimit(limit, static_cast<Parity>(p));
   return {std::move(pairs), matrices.parities()};

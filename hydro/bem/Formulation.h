@@ -1,0 +1,25 @@
+#pragma once
+
+namespace cutwater {
+
+/// Which integral equation gives the potentials.
+enum class Formulation {
+  Potential,  ///< ½φ + ∫φ ∂G/∂n_ξ = ∫G v, Green's identity on the hull
+  Source      ///< Dσ = v, φ = Eσ, the report's                                  [M03] (49)-(51)
+};
+
+/// How ∂φ/∂x comes from the solution.
+enum class Derivatives {
+  Stokes,  ///< Stokes' theorem on each panel (XDerivative.h)
+  Source   ///< ∂φ/∂x = Hσ, the report's; with Formulation::Source only         [M03] (51)-(54)
+};
+
+/// How diffraction forces off the frequency grid are had.
+enum class Influence {
+  Adjoint,  ///< vectors b_j with F_D,j = b_jᵀ v, interpolated in ω_e when read; any U, β, ω_I
+  Direct,   ///< every condition's own system, assembled and solved
+  Matrix,   ///< influence matrices interpolated between grid frequencies        [M03] (80)-(83)
+  Inverse   ///< their inverses interpolated; wrong near irregular frequencies   [M03] (84)-(87)
+};
+
+}  // namespace cutwater

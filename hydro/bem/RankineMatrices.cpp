@@ -1,0 +1,119 @@
+#include "hydro/bem/RankineMatrices.h"
+
+namespace cutwater {
+namespace {
+
+/// Potential, normal derivative and x-derivative of 1/R or 1/R₁, averaged over the field panel.
+struct Sample {
+  double potential = 0.0, normal = 0.0, x = 0.0;
+};
+
+RankinePanel rankineOf(const Panel& panel) {
+  return RankinePanel(std::span(panel.corner.data(), static_cast<std::size_t>(panel.corners)));
+}
+
+/// @param n of the field point, or of its image: only for the source formulation.
+void add(const RankineIntegrals& at, const Vec3& n, bool source, double weight, Sample& sum) {
+  sum.potential += weight * at.potential;
+  sum.normal += weight * (source ? n.dot(at.gradient) : at.doubleLayer);
+  sum.x += weight * at.gradient.x();
+}
+
+void add(const NearImage& one, double weight, NearImage& sum) {
+  sum.log += weight * one.log;
+  sum.inverse += weight * one.inverse;
+  sum.inverseAlong += weight * one.inverseAlong;
+  sum.logAlong += weight * one.logAlong;
+}
+
+}  // namespace
+
+RankineMatrices::RankineMatrices(const PanelPairs& pairs)
+    : pairs_(pairs), near_(static_cast<std::size_t>(pairs.all())) {
+  const int all = pairs.all();
+  for (int p = 0; p < pairs.parities(); ++p) {
+    RankineParts& part = parts_[static_cast<std::size_t>(p)];
+    for (Eigen::MatrixXd* m : {&part.direct, &part.image, &part.directNormal, &part.imageNormal})
+      m->resize(all, all);
+    if (!pairs.settings().xDerivative) continue;
+    part.directX.resize(all, all);
+    part.imageX.resize(all, all);
+  }
+#pragma omp parallel for schedule(dynamic, 8) num_threads(pairs.settings().threads)
+  for (int source = 0; source < all; ++source) {
+    integrate(source);
+    findNear(source);
+  }
+}
+
+void RankineMatrices::integrate(int source) {
+  const RankinePanel rankine = rankineOf(pairs_.panel(source));
+  const bool isSource = pairs_.isSource();
+  for (int field = 0; field < pairs_.all(); ++field) {
+    const Panel& panel = pairs_.panel(field);
+    std::array<Sample, 2> direct{}, image{};  // of the port and the starboard field panel
+    for (std::size_t m = 0; m < static_cast<std::size_t>(pairs_.parities()); ++m) {
+      const Vec3 n = imageInY(panel.normal, m == 1);
+      for (const QuadraturePoint& point : pairs_.galerkin(field)) {
+        const Vec3 x = imageInY(point.x, m == 1);
+        const double weight = point.weight / panel.area;
+        RankineIntegrals at = rankine.at(x);
+        if (field == source && m == 0) {
+          at.gradient -= n.dot(at.gradient) * n;
+          at.doubleLayer = 0.0;
+        }
+        add(at, n, isSource, weight, direct[m]);
+        add(rankine.at(imageInZ(x)), imageInZ(n), isSource, weight, image[m]);
+      }
+    }
+    for (int p = 0; p < pairs_.parities(); ++p) {
+      RankineParts& part = parts_[static_cast<std::size_t>(p)];
+      const auto put = [&](Eigen::MatrixXd& to, const std::array<Sample, 2>& from,
+                           double Sample::*what) {
+        to(field, source) = from[0].*what + (p == 0 ? 1.0 : -1.0) * from[1].*what;
+      };
+      put(part.direct, direct, &Sample::potential);
+      put(part.image, image, &Sample::potential);
+      put(part.directNormal, direct, &Sample::normal);
+      put(part.imageNormal, image, &Sample::normal);
+      if (!pairs_.settings().xDerivative) continue;
+      put(part.directX, direct, &Sample::x);
+      put(part.imageX, image, &Sample::x);
+    }
+  }
+}
+
+void RankineMatrices::findNear(int source) {
+  const Panel& panel = pairs_.panel(source);
+  const RankinePanel rankine = rankineOf(panel);
+  for (int m = 0; m < pairs_.parities(); ++m)
+    for (int field = 0; field < pairs_.all(); ++field) {
+      NearPair near{{field, source, m == 1}, {}, {}};
+      if (!pairs_.isNear(near.pair)) continue;
+      const Panel& seen = pairs_.panel(field);
+      const Vec3 along = pairs_.direction(near.pair);
+      for (const QuadraturePoint& point : pairs_.galerkin(field)) {
+        const Vec3 x = imageInY(point.x, m == 1);
+        const double weight = point.weight / seen.area;
+        add(nearImage(x, panel, rankine, along), weight, near.image);
+        if (pairs_.settings().xDerivative)
+          add(nearImage(x, panel, rankine, -Vec3::UnitX()), weight, near.alongX);
+      }
+      near.image.distance = near.alongX.distance =
+          (imageInZ(imageInY(seen.centroid, m == 1)) - panel.centroid).norm();
+      near_[static_cast<std::size_t>(source)].push_back(near);
+    }
+}
+
+RankineMatrices::Image RankineMatrices::imageOf(const Pair& pair) const {
+  const auto part = [&](const Eigen::MatrixXd RankineParts::*matrix) {
+    const double even = (parts_[0].*matrix)(pair.field, pair.source);
+    if (pairs_.parities() == 1) return even;
+    const double odd = (parts_[1].*matrix)(pair.field, pair.source);
+    return 0.5 * (pair.mirrored ? even - odd : even + odd);
+  };
+  return {part(&RankineParts::image), part(&RankineParts::imageNormal),
+          pairs_.settings().xDerivative ? part(&RankineParts::imageX) : 0.0};
+}
+
+}  // namespace cutwater

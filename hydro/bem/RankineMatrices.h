@@ -1,0 +1,51 @@
+#pragma once
+#include "hydro/bem/NearWave.h"
+#include "hydro/bem/PanelPairs.h"
+
+namespace cutwater {
+
+/// What does not depend on frequency, of one parity: integrals over the source panel, averaged over
+/// the field panel. [field, source], (n + m)².
+struct RankineParts {
+  Eigen::MatrixXd direct, image;              ///< ∫ 1/R dS, ∫ 1/R₁ dS [m]
+  Eigen::MatrixXd directNormal, imageNormal;  ///< their normal derivatives: ∂/∂n_ξ or ∂/∂n_x [–]
+  Eigen::MatrixXd directX, imageX;            ///< ∂/∂x; empty without H [–]
+};
+
+/// One pair whose free-surface image is near, with the singular part of its wave term.
+struct NearPair {
+  Pair pair;
+  NearImage image;  ///< along PanelPairs::direction
+  NearImage alongX;  ///< along −x of the source, +x of the field; of no meaning without H
+};
+
+/// Rankine and near-image integrals of all pairs: 1/R and 1/R₁ exactly (RankineIntegrals.h) at the
+/// Galerkin points of the field panel. Own panel: the normal derivative of 1/R is 0, the jump ±½ is
+/// the equation's; the x-derivative is that within the panel.
+class RankineMatrices {
+ public:
+  /// About 4 g (n + m)² panel integrals if symmetric, g Galerkin points.
+  explicit RankineMatrices(const PanelPairs& pairs);
+
+  const RankineParts& parts(Parity parity) const {
+    return parts_[static_cast<std::size_t>(parity)];
+  }
+  const std::vector<NearPair>& near(int source) const {
+    return near_[static_cast<std::size_t>(source)];
+  }
+  /// The image part of one pair, from those of the two parities.
+  struct Image {
+    double potential, normal, x;
+  };
+  Image imageOf(const Pair& pair) const;
+
+ private:
+  void integrate(int source);
+  void findNear(int source);
+
+  const PanelPairs& pairs_;
+  std::array<RankineParts, 2> parts_;
+  std::vector<std::vector<NearPair>> near_;  // of each source panel
+};
+
+}  // namespace cutwater

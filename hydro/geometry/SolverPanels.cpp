@@ -1,0 +1,178 @@
+#include "hydro/geometry/SolverPanels.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "hydro/geometry/PanelQuadrature.h"
+
+namespace cutwater {
+namespace {
+
+constexpr double kCrease = 0.866;           // cos 30°
+constexpr double kOwnWeight = 10.0;         // of the face's own corners in the fit
+constexpr double kPoor = 0.7, kGood = 0.9;  // share of the curvature explained: none of it used, all
+constexpr double kMost = 0.1;               // of the diameter: a greater δ is not believed
+constexpr double kSteepEnough = 0.25;       // n_h² of a panel at calm water that may be moved
+
+/// Height over a panel's plane: c + g·s + ½ sᵀQs, s in the plane from the centroid [m].
+struct Paraboloid {
+  double c = 0.0;
+  Eigen::Matrix2d Q = Eigen::Matrix2d::Zero();
+  double trust = 0.0;  ///< 0 … 1
+};
+
+/// In the plane of a panel: u along its longest edge, v = n × u.
+struct Frame {
+  Vec3 origin, u, v, n;
+  explicit Frame(const Panel& panel) : origin(panel.centroid), n(panel.normal) {
+    double longest = 0.0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(panel.corners); ++i) {
+      const Vec3 edge =
+          panel.corner[(i + 1) % static_cast<std::size_t>(panel.corners)] - panel.corner[i];
+      if (edge.norm() <= longest) continue;
+      longest = edge.norm();
+      u = edge / longest;
+    }
+    v = n.cross(u);
+  }
+  Eigen::Vector2d inPlane(const Vec3& x) const { return {u.dot(x - origin), v.dot(x - origin)}; }
+  double height(const Vec3& x) const { return n.dot(x - origin); }
+};
+
+/// Vertices and faces around each vertex of a mesh.
+class Neighbourhood {
+ public:
+  explicit Neighbourhood(const SurfaceMesh& mesh) : mesh_(mesh), around_(mesh.vertices.size()) {
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      normal_.push_back(vectorArea(mesh, mesh.faces[f]).normalized());
+      for (int i = 0; i < mesh.faces[f].size(); ++i)
+        around_[static_cast<std::size_t>(mesh.faces[f][i])].push_back(f);
+    }
+  }
+  /// Vertices of the faces that touch face f and do not lie beyond a crease.
+  std::set<int> of(std::size_t f) const {
+    std::set<int> vertices;
+    const Face& face = mesh_.faces[f];
+    for (int i = 0; i < face.size(); ++i)
+      for (const std::size_t g : around_[static_cast<std::size_t>(face[i])]) {
+        if (normal_[g].dot(normal_[f]) < kCrease) continue;
+        for (int k = 0; k < mesh_.faces[g].size(); ++k) vertices.insert(mesh_.faces[g][k]);
+      }
+    return vertices;
+  }
+
+ private:
+  const SurfaceMesh& mesh_;
+  std::vector<std::vector<std::size_t>> around_;
+  std::vector<Vec3> normal_;
+};
+
+/// Weighted squares that the first `terms` of 1, u, v, u², uv, v² leave, and their coefficients.
+double fit(const Eigen::MatrixXd& terms, const Eigen::VectorXd& height,
+           const Eigen::VectorXd& weight, Eigen::VectorXd& coefficients) {
+  const Eigen::MatrixXd weighted = weight.asDiagonal() * terms;
+  coefficients = (terms.transpose() * weighted).ldlt().solve(weighted.transpose() * height);
+  const Eigen::VectorXd rest = height - terms * coefficients;
+  return rest.dot(weight.asDiagonal() * rest);
+}
+
+Paraboloid paraboloid(const SurfaceMesh& mesh, const Face& face, const std::set<int>& vertices,
+                      const Frame& frame) {
+  Paraboloid result;
+  const auto count = static_cast<Eigen::Index>(vertices.size());
+  if (count < 7) return result;
+  Eigen::Vector2d scale = Eigen::Vector2d::Zero();
+  for (int i = 0; i < face.size(); ++i)
+    scale = scale.cwiseMax(frame.inPlane(mesh.corner(face, i)).cwiseAbs());
+  Eigen::MatrixXd terms(count, 6);
+  Eigen::VectorXd height(count), weight(count);
+  Eigen::Index row = 0;
+  for (const int vertex : vertices) {
+    const Vec3& x = mesh.vertices[static_cast<std::size_t>(vertex)];
+    const Eigen::Vector2d s = frame.inPlane(x).cwiseQuotient(scale);
+    terms.row(row) << 1.0, s.x(), s.y(), 0.5 * s.x() * s.x(), s.x() * s.y(), 0.5 * s.y() * s.y();
+    height[row] = frame.height(x);
+    bool own = false;
+    for (int i = 0; i < face.size(); ++i) own = own || face[i] == vertex;
+    weight[row++] = own ? kOwnWeight : 1.0 / (1.0 + s.squaredNorm());
+  }
+  Eigen::VectorXd flat, curved;
+  const double linear = fit(terms.leftCols(3), height, weight, flat);
+  const double quadratic = fit(terms, height, weight, curved);
+  const double tiny = 1e-6 * scale.norm();
+  if (!(linear > tiny * tiny * weight.sum()) || !curved.allFinite()) return result;
+  result.trust = std::clamp((1.0 - quadratic / linear - kPoor) / (kGood - kPoor), 0.0, 1.0);
+  result.c = curved[0];
+  result.Q << curved[3] / (scale.x() * scale.x()), curved[4] / (scale.x() * scale.y()),
+      curved[4] / (scale.x() * scale.y()), curved[5] / (scale.y() * scale.y());
+  return result;
+}
+
+/// Mean height of the paraboloid over the panel.
+double meanHeight(const Panel& panel, const Frame& frame, const Paraboloid& surface) {
+  double sum = 0.0;
+  for (const QuadraturePoint& point : panelQuadrature(panel, 2)) {
+    const Eigen::Vector2d s = frame.inPlane(point.x);
+    sum += point.weight * (surface.c + 0.5 * s.dot(surface.Q * s));
+  }
+  return sum / panel.area;
+}
+
+/// Every corner by δ along the surface's normal there, n − Qs.
+void offset(std::vector<Vec3>& corners, const Frame& frame, const Paraboloid& surface,
+            double delta) {
+  for (Vec3& x : corners) {
+    const Eigen::Vector2d tilt = surface.Q * frame.inPlane(x);
+    x += delta * (frame.n - tilt.x() * frame.u - tilt.y() * frame.v);
+  }
+}
+
+/// The same for a panel with corners on calm water, which stay on it: moved out horizontally,
+/// stretched along the waterline about the centroid and downwards from the waterline.
+void offsetAtWaterline(std::vector<Vec3>& corners, const Frame& frame, const Paraboloid& surface,
+                       double delta) {
+  const Vec3 outward(frame.n.x(), frame.n.y(), 0.0);
+  const Vec3 along = outward.normalized().cross(Vec3::UnitZ()), down = frame.n.cross(along);
+  const auto curvature = [&](const Vec3& t) {
+    const Eigen::Vector2d s(frame.u.dot(t), frame.v.dot(t));
+    return s.dot(surface.Q * s);
+  };
+  const double stretchAlong = -delta * curvature(along), stretchDown = -delta * curvature(down);
+  for (Vec3& x : corners) {
+    const double depth = x.z() / down.z();
+    x += delta * outward / outward.squaredNorm() +
+         stretchAlong * along.dot(x - frame.origin) * along + stretchDown * depth * down;
+  }
+}
+
+Panel moved(const Panel& panel, const Frame& frame, const Paraboloid& surface) {
+  const double delta = surface.trust * meanHeight(panel, frame, surface);
+  if (delta == 0.0 || std::abs(delta) > kMost * diameter(panel)) return panel;
+  std::vector<Vec3> corners(panel.corner.begin(), panel.corner.begin() + panel.corners);
+  const bool atWaterline =
+      std::any_of(corners.begin(), corners.end(), [](const Vec3& x) { return x.z() == 0.0; });
+  if (!atWaterline)
+    offset(corners, frame, surface, delta);
+  else if (frame.n.head<2>().squaredNorm() > kSteepEnough)
+    offsetAtWaterline(corners, frame, surface, delta);
+  for (Vec3& x : corners) x.z() = std::min(x.z(), 0.0);
+  return flatPanel(corners);
+}
+
+}  // namespace
+
+PanelMesh solverPanels(const SurfaceMesh& wet, bool symmetric, bool curved) {
+  PanelMesh mesh = makePanels(wet, symmetric);
+  if (!curved) return mesh;
+  const Neighbourhood neighbours(wet);
+  for (std::size_t f = 0; f < mesh.panels.size(); ++f) {
+    const Frame frame(mesh.panels[f]);
+    const Paraboloid surface = paraboloid(wet, wet.faces[f], neighbours.of(f), frame);
+    mesh.panels[f] = moved(mesh.panels[f], frame, surface);
+  }
+  return mesh;
+}
+
+}  // namespace cutwater

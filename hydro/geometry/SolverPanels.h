@@ -1,0 +1,21 @@
+#pragma once
+#include "hydro/geometry/PanelMesh.h"
+
+namespace cutwater {
+
+/// The panels on which the solver works: those of makePanels or, if `curved`, each moved out to the
+/// curved surface on which the mesh's vertices lie. A mesh inscribed in a round hull has less volume
+/// than the hull, by (h/R)²/4 and more; moved by the mean height of the surface over it, along the
+/// local normals, its panels have the volume to the next order.
+///
+/// The surface over a face is a paraboloid through its corners and those of its neighbours, by least
+/// squares; neighbours beyond a crease (30°) do not count, and where the paraboloid does not fit
+/// (beside a knuckle, on a flat, with too few neighbours) the panel stays. Edges on calm water stay on
+/// z = 0. The corners no longer meet those of the neighbours, and the vector areas grow by as much
+/// as the areas: better for a sphere or an ellipsoid, not for a ship with a keel and a sharp bilge
+/// (DECISIONS.md).
+/// @param wet  hull below calm water, hull axes; its port half if `symmetric`.
+/// @throws as makePanels.
+PanelMesh solverPanels(const SurfaceMesh& wet, bool symmetric, bool curved = false);
+
+}  // namespace cutwater
