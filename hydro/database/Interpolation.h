@@ -26,9 +26,20 @@ Mat6 addedMassAt(const Coefficients& coefficients, double omega);
 /// @throws as addedMassAt.
 Mat6 dampingAt(const Coefficients& coefficients, double omega);
 
-/// Adjoint vectors b_j at ω, 6 × panels (Coefficients::adjoint), by local cubic in ω.
-/// @param omega within the range of the data: b_j is not extrapolated.
-/// @throws HydroError ValueOutOfRange, DatabaseIncomplete (none in the database).
-Eigen::Matrix<Complex, 6, Eigen::Dynamic> adjointAt(const Coefficients& coefficients, double omega);
+/// ∂A(ω) and ∂B(ω) at any ω ≥ 0, as A and B: ∂A through ∂A(0), ∂B through 0. Ω is here the last
+/// frequency that the panels resolve (Coefficients::resolvedOmega): beyond it the data ring.
+/// @throws as addedMassAt; DatabaseIncomplete if the database holds no x-derivatives.
+Mat6 addedMassXAt(const Coefficients& coefficients, double omega);
+Mat6 dampingXAt(const Coefficients& coefficients, double omega);
+
+/// Adjoint vectors b_j of F^ω at ω ≥ 0, 6 × panels (Coefficients::adjoint): local cubic through b(0)
+/// and the data up to Ω, the last frequency that the panels resolve; beyond it
+/// b(∞) + (b(Ω) − b(∞))(Ω/ω)². Without b(0) the first vectors are held below their frequency.
+/// @throws HydroError ValueOutOfRange (ω < 0, NaN; beyond the last frequency without b(∞)),
+///         DatabaseIncomplete (none in the database).
+Coefficients::AdjointVectors adjointAt(const Coefficients& coefficients, double omega);
+
+/// b^x_j of F^U, likewise (Coefficients::adjointX).
+Coefficients::AdjointVectors adjointXAt(const Coefficients& coefficients, double omega);
 
 }  // namespace cutwater
