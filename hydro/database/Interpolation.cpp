@@ -37,13 +37,17 @@ std::size_t resolvedCount(const Coefficients& c) {
   return std::max<std::size_t>(1, static_cast<std::size_t>(above - c.omega.begin()));
 }
 
+std::vector<double> nodesFromZero(const Coefficients& c, std::size_t count) {
+  std::vector<double> nodes(1, 0.0);
+  nodes.insert(nodes.end(), c.omega.begin(), c.omega.begin() + static_cast<std::ptrdiff_t>(count));
+  return nodes;
+}
+
 /// Local cubic through `zero` at ω = 0 and the first `count` data.
 template <class Matrix>
 Matrix fromZero(const Coefficients& c, const Matrix& zero, const std::vector<Matrix>& data,
                 std::size_t count, double omega) {
-  std::vector<double> nodes(1, 0.0);
-  nodes.insert(nodes.end(), c.omega.begin(), c.omega.begin() + static_cast<std::ptrdiff_t>(count));
-  const LocalCubic local = localCubic(nodes, omega);
+  const LocalCubic local = localCubic(nodesFromZero(c, count), omega);
   Matrix sum = Matrix::Zero(zero.rows(), zero.cols());
   for (std::size_t i = 0; i < local.count; ++i) {
     const std::size_t node = local.first + i;
@@ -61,12 +65,19 @@ Matrix toInfinity(const Coefficients& c, const Matrix& zero, const std::vector<M
   return inf + u * u * (data[count - 1] - inf);
 }
 
-/// Local cubic through 0 at ω = 0 and the data, (Ω/ω)³ beyond the last of `count` frequencies.
+/// ω times a local cubic of data/ω through 0 at ω = 0; (Ω/ω)³ beyond the last of `count` frequencies.
 Mat6 vanishing(const Coefficients& c, const std::vector<Mat6>& data, std::size_t count,
                double omega) {
   const double last = c.omega[count - 1], u = last / omega;
-  if (omega <= last) return fromZero(c, Mat6::Zero().eval(), data, count, omega);
-  return u * u * u * data[count - 1];
+  if (omega > last) return u * u * u * data[count - 1];
+  const std::vector<double> nodes = nodesFromZero(c, count);
+  const LocalCubic local = localCubic(nodes, omega);
+  Mat6 sum = Mat6::Zero();
+  for (std::size_t i = 0; i < local.count; ++i) {
+    const std::size_t node = local.first + i;
+    if (node > 0) sum += local.weight[i] * (omega / nodes[node]) * data[node - 1];
+  }
+  return sum;
 }
 
 Adjoint vectorsAt(const char* function, const Coefficients& c, const std::vector<Adjoint>& data,

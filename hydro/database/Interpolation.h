@@ -22,11 +22,12 @@ LocalCubic localCubic(std::span<const double> nodes, double x);
 /// @throws HydroError ValueOutOfRange (ω < 0 or NaN), DatabaseIncomplete (no frequencies).
 Mat6 addedMassAt(const Coefficients& coefficients, double omega);
 
-/// B(ω) at any ω ≥ 0: local cubic through B(0) = 0 and the data; beyond Ω it falls as (Ω/ω)³.
+/// B(ω) at any ω ≥ 0: ω times a local cubic of B/ω through 0 at ω = 0, as B vanishes faster than ω
+/// and forward speed divides it by ω; beyond Ω it falls as (Ω/ω)³.
 /// @throws as addedMassAt.
 Mat6 dampingAt(const Coefficients& coefficients, double omega);
 
-/// ∂A(ω) and ∂B(ω) at any ω ≥ 0, as A and B: ∂A through ∂A(0), ∂B through 0. Ω is here the last
+/// ∂A(ω) and ∂B(ω) at any ω ≥ 0, as A and B: ∂A through ∂A(0), ∂B as B. Ω is here the last
 /// frequency that the panels resolve (Coefficients::resolvedOmega): beyond it the data ring.
 /// @throws as addedMassAt; DatabaseIncomplete if the database holds no x-derivatives.
 Mat6 addedMassXAt(const Coefficients& coefficients, double omega);
