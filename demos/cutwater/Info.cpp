@@ -100,6 +100,17 @@ void listMask(Csv& csv, const Coefficients& c) {
   }
 }
 
+// The value of a key in the solver's settings, kept as TOML text; empty if it is not there.
+std::string setting(const Coefficients& c, const std::string& key) {
+  const std::string& text = c.provenance.settings;
+  const std::size_t at = text.find(key + " = ");
+  if (at == std::string::npos) return {};
+  const std::size_t from = at + key.size() + 3, end = std::min(text.find('\n', from), text.size());
+  std::string value = text.substr(from, end - from);
+  std::erase(value, '"');
+  return value;
+}
+
 // What the file holds for forward speed.
 void listSpeed(Csv& csv, const Coefficients& c) {
   list(csv, "forward_speed", c.forwardSpeed == ForwardSpeedForm::Tuck ? "tuck" : "report", "");
@@ -131,6 +142,7 @@ void info(const std::string& database, const std::string& out) {
   for (std::size_t i = 0; i < c.headings.size(); ++i) {
     number(fmt::format("heading_{}", i + 1), c.headings[i] * 180.0 / kPi, "deg");
   }
+  list(csv, "formulation", setting(c, "formulation"), "");
   listSpeed(csv, c);
   listMask(csv, c);
   number("check_added_mass_asymmetry", asymmetry(c.addedMass), "%");

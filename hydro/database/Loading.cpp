@@ -24,9 +24,10 @@ void checkMass(const ShipParticulars& ship, double mass) {
   const double miss = std::abs(mass - displaced), before = std::abs(ship.mass - displaced);
   if (miss > kTolerance * displaced && miss > before * (1.0 + 1e-9)) {
     refuse(Fault::ValueOutOfRange,
-           fmt::format("mass = {} kg: she displaces {} kg ({:+.2f} %); another draught is another "
-                       "wetted surface, solve again with it",
-                       mass, displaced, 100.0 * (mass / displaced - 1.0)));
+           fmt::format(
+               "mass = {:.9g} kg: she displaces {:.9g} kg ({:+.2f} %); another draught is another "
+               "wetted surface, solve again with it",
+               mass, displaced, 100.0 * (mass / displaced - 1.0)));
   }
 }
 
@@ -44,10 +45,11 @@ void checkCentre(const ShipParticulars& ship, const Vec3& cog) {
     const double before = std::abs(ship.cog[axis] - ship.centreOfBuoyancy[axis]);
     if (miss > kTolerance * length && miss > before + 1e-9 * length) {
       refuse(Fault::ValueOutOfRange,
-             fmt::format("cog {} = {} m: the centre of buoyancy is at {} m, more than 0.1 % of the "
-                         "length {:.4g} m away; she would {}, solve again with that wetted surface",
-                         axis == 0 ? "x" : "y", cog[axis], ship.centreOfBuoyancy[axis], length,
-                         axis == 0 ? "trim" : "heel"));
+             fmt::format(
+                 "cog {} = {:.6g} m: the centre of buoyancy is at {:.6g} m, more than 0.1 % of the "
+                 "length {:.4g} m away; she would {}, solve again with that wetted surface",
+                 axis == 0 ? "x" : "y", cog[axis], ship.centreOfBuoyancy[axis], length,
+                 axis == 0 ? "trim" : "heel"));
     }
   }
   if (ship.symmetric && std::abs(cog.y() - ship.cog.y()) > 1e-9 * length) {
