@@ -55,6 +55,13 @@ Bracket columns(const std::vector<double>& headings, double beta, bool symmetric
                      beta * 180.0 / kPi));
 }
 
+/// The row of a speed; the number of rows if there is none.
+std::size_t rowOf(const DiffractionTable& table, double speed) {
+  const auto row = std::find_if(table.speeds.begin(), table.speeds.end(),
+                                [&](double u) { return std::abs(u - speed) <= 1e-9; });
+  return static_cast<std::size_t>(row - table.speeds.begin());
+}
+
 CVec6 reversedOddModes(const CVec6& force) {
   CVec6 mirrored = force;
   for (const int j : {Sway, Roll, Yaw}) mirrored[j] = -mirrored[j];
@@ -94,19 +101,19 @@ WaveExcitation::Force WaveExcitation::at(double omegaI, double heading, double s
   if (!std::isfinite(speed)) refuse(Fault::ValueOutOfRange, fmt::format("speed = {} m/s", speed));
   const ShipParticulars& ship = c.ship;
   const AiryWave wave{omegaI, heading, ship.gravity};
-  const bool vectors = !c.adjoint.empty() && !panels_.panels.empty();
-  if (!vectors && c.diffractionTable.empty()) {
-    if (speed == 0.0) return fromTables(omegaI, heading);
-    refuse(Fault::DatabaseIncomplete,
-           fmt::format("speed = {} m/s: the database has neither adjoint vectors nor a table of "
-                       "diffraction forces at speed",
-                       speed));
-  }
   Force force;
-  force.froudeKrylov = panels_.panels.empty()
-                           ? fromTables(omegaI, heading).froudeKrylov
-                           : froudeKrylovForce(faces_, wave, ship.cog, ship.density);
-  force.diffraction = vectors ? fromVectors(wave, speed) : fromDiffractionTable(wave, speed);
+  if (!c.adjoint.empty() && !panels_.panels.empty()) {
+    force.diffraction = fromVectors(wave, speed);
+  } else if (speed == 0.0 && rowOf(c.diffractionTable, speed) == c.diffractionTable.speeds.size()) {
+    force = fromTables(omegaI, heading);
+  } else {
+    force.diffraction = fromDiffractionTable(wave, speed);
+  }
+  if (!panels_.panels.empty()) {
+    force.froudeKrylov = froudeKrylovForce(faces_, wave, ship.cog, ship.density);
+  } else if (speed != 0.0) {
+    force.froudeKrylov = fromTables(omegaI, heading).froudeKrylov;
+  }
   return force;
 }
 
@@ -135,9 +142,14 @@ CVec6 WaveExcitation::fromVectors(const AiryWave& wave, double speed) const {
 
 CVec6 WaveExcitation::fromDiffractionTable(const AiryWave& wave, double speed) const {
   const DiffractionTable& table = coefficients_.diffractionTable;
-  const auto row = std::find_if(table.speeds.begin(), table.speeds.end(),
-                                [&](double u) { return std::abs(u - speed) <= 1e-9; });
-  if (row == table.speeds.end()) {
+  if (table.empty()) {
+    refuse(Fault::DatabaseIncomplete,
+           fmt::format("speed = {} m/s: the database has neither adjoint vectors nor a table of "
+                       "diffraction forces at speed",
+                       speed));
+  }
+  const std::size_t row = rowOf(table, speed);
+  if (row == table.speeds.size()) {
     refuse(Fault::ValueOutOfRange,
            fmt::format("speed = {} m/s: the database, which has no adjoint vectors, was solved for "
                        "{} m/s",
@@ -152,10 +164,9 @@ CVec6 WaveExcitation::fromDiffractionTable(const AiryWave& wave, double speed) c
            fmt::format("omega = {} rad/s: the database's table of diffraction forces ends at {}",
                        wave.omega, nodes.back()));
   }
-  const auto u = static_cast<std::size_t>(row - table.speeds.begin());
   return mixed(columns(table.headings, wave.heading, coefficients_.ship.symmetric),
                localCubic(nodes, std::clamp(wave.omega, nodes.front(), nodes.back())),
-               [&](std::size_t h, std::size_t i) -> const CVec6& { return table.at(u, h, i); });
+               [&](std::size_t h, std::size_t i) -> const CVec6& { return table.at(row, h, i); });
 }
 
 WaveExcitation::Force WaveExcitation::fromTables(double omegaI, double heading) const {

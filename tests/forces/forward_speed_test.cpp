@@ -181,6 +181,15 @@ TEST(WaveExcitation, TableRefusesOtherSpeedsAndTheOtherForm) {
   EXPECT_EQ(faultOf(1.6, 5.0, ForwardSpeedForm::Report), Fault::ValueOutOfRange);
   EXPECT_EQ(faultOf(1.0, 5.0, ForwardSpeedForm::Tuck), Fault::BadArgument);
   EXPECT_EQ(faultOf(1.0, 0.0, ForwardSpeedForm::Tuck), Fault::FileMalformed);  // none
+  // At rest the table of the frequency grid serves where this one has no such speed.
+  Coefficients grid = table;
+  grid.diffractionTable = {{5.0}, {kPi}, {1.0}, {CVec6::Zero()}};
+  EXPECT_THROW(WaveExcitation(grid).at(1.0, kPi), HydroError);  // it has none either
+  grid.headings = {kPi};
+  grid.froudeKrylov.assign(1, std::vector<CVec6>(grid.omega.size(), CVec6::Zero()));
+  grid.diffraction.assign(1, std::vector<CVec6>(grid.omega.size(), CVec6::Constant(7.0)));
+  EXPECT_LT((WaveExcitation(grid).at(1.0, kPi).diffraction - CVec6::Constant(7.0)).norm(), 1e-12);
+  EXPECT_GT(WaveExcitation(grid).at(1.0, kPi).froudeKrylov.norm(), 1.0);  // integrated
   Coefficients nothing = table;
   nothing.diffractionTable = {};
   EXPECT_THROW(WaveExcitation(nothing).at(1.0, kPi, 5.0), HydroError);
