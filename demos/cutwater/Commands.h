@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,11 +13,27 @@ namespace cutwater::command {
 void hydrostatics(const std::string& ship, const std::string& out);
 void solve(const std::string& ship, const std::string& database, int threads);
 void info(const std::string& database, const std::string& out);
-void coefficients(const std::string& database, double speed, const std::string& out);
-void excitation(const std::string& database, double speed, double headingDeg,
-                const std::string& omegaRange, const std::string& out);
-void rao(const std::string& database, double speed, double headingDeg,
-         const std::string& omegaRange, const std::string& out);
+
+/// Forward speed U [m/s] and the form of its terms: "report", "tuck", or "" for the database's own.
+struct SpeedOptions {
+  double speed = 0.0;
+  std::string form;
+};
+/// One heading, wave frequencies A:B:N ("" for the solve's).
+struct WaveOptions {
+  SpeedOptions moving;
+  double headingDeg = 180.0;
+  std::string omegaRange;
+};
+/// Another loading of the hull; what is absent stays the database's.
+struct LoadingOptions {
+  std::optional<double> mass;  ///< [kg]
+  std::string cog, gyradii;    ///< "X,Y,Z" [m]
+};
+void coefficients(const std::string& database, const SpeedOptions& moving, const std::string& out);
+void excitation(const std::string& database, const WaveOptions& waves, const std::string& out);
+void rao(const std::string& database, const WaveOptions& waves, const LoadingOptions& loading,
+         const std::string& out);
 void retardation(const std::string& database, double step, double duration, const std::string& out);
 void simulate(const std::string& run, bool forces, const std::string& out);
 void sweep(const std::string& run, int threads, const std::string& out);
@@ -25,8 +43,13 @@ void sweep(const std::string& run, int threads, const std::string& out);
 std::vector<double> omegaList(const std::string& range, const std::vector<double>& fallback);
 /// The wave frequencies at which tables are written by default.
 const std::vector<double>& defaultWaveOmega(const Coefficients& coefficients);
-/// Refuses any speed but 0, which is all this version computes.
-void requireZeroSpeed(double speed);
+/// The database with `moving.form` as its form; prints the warning of a foreign file.
+/// @throws HydroError; BadArgument for a speed outside 0..100 m/s.
+Coefficients readDatabase(const std::string& path, const SpeedOptions& moving);
+/// Runs `work`; its HydroErrors get the file's name in front.
+void naming(const std::string& file, const std::function<void()>& work);
+/// "X,Y,Z" of an option. @throws HydroError BadArgument naming option and text.
+Vec3 vectorOption(const std::string& option, const std::string& text);
 /// β [rad] of a --heading in degrees. @throws HydroError BadArgument beyond two turns.
 double headingRadians(double degrees);
 /// One line on stderr, nothing if empty.

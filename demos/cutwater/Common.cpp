@@ -6,20 +6,28 @@
 
 #include "demos/cutwater/Commands.h"
 #include "hydro/Errors.h"
+#include "hydro/database/CoefficientsFile.h"
 
 namespace cutwater::command {
 
 namespace {
 
-double part(const std::string& range, std::size_t from, std::size_t to) {
+/// The finite number that text[from, to) is.
+std::optional<double> number(const std::string& text, std::size_t from, std::size_t to) {
   double value = 0.0;
-  const char *first = range.data() + from, *last = range.data() + to;
+  const char *first = text.data() + from, *last = text.data() + to;
   const auto result = std::from_chars(first, last, value);
-  if (result.ec != std::errc() || result.ptr != last || !std::isfinite(value)) {
+  if (result.ec != std::errc() || result.ptr != last || !std::isfinite(value)) return {};
+  return value;
+}
+
+double part(const std::string& range, std::size_t from, std::size_t to) {
+  const auto value = number(range, from, to);
+  if (!value) {
     throw HydroError(Fault::BadArgument,
                      "--omega " + range + ": must be A:B:N, for instance 0.2:2:37");
   }
-  return value;
+  return *value;
 }
 
 }  // namespace
@@ -45,10 +53,44 @@ const std::vector<double>& defaultWaveOmega(const Coefficients& coefficients) {
   return coefficients.waveOmega.empty() ? coefficients.omega : coefficients.waveOmega;
 }
 
-void requireZeroSpeed(double speed) {
-  if (speed == 0.0) return;
-  throw HydroError(Fault::BadArgument,
-                   fmt::format("--speed {}: only 0 is possible in this version", speed));
+Coefficients readDatabase(const std::string& path, const SpeedOptions& moving) {
+  if (!(moving.speed >= 0.0 && moving.speed <= 100.0)) {
+    throw HydroError(Fault::BadArgument,
+                     fmt::format("--speed {}: must be in 0..100 m/s", moving.speed));
+  }
+  std::string warning;
+  Coefficients coefficients = readCoefficients(path, &warning);
+  warn(warning);
+  if (moving.form == "report") coefficients.forwardSpeed = ForwardSpeedForm::Report;
+  if (moving.form == "tuck") coefficients.forwardSpeed = ForwardSpeedForm::Tuck;
+  return coefficients;
+}
+
+void naming(const std::string& file, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const HydroError& error) {
+    throw HydroError(error.fault(), file + ": " + error.what());
+  }
+}
+
+Vec3 vectorOption(const std::string& option, const std::string& text) {
+  const std::size_t first = text.find(',');
+  const std::size_t second = first == std::string::npos ? first : text.find(',', first + 1);
+  const auto refuse = [&] {
+    throw HydroError(
+        Fault::BadArgument,
+        option + " " + text + ": must be three numbers X,Y,Z, for instance -2.4,0,1.3");
+  };
+  if (second == std::string::npos) refuse();
+  const std::size_t from[] = {0, first + 1, second + 1}, to[] = {first, second, text.size()};
+  Vec3 vector;
+  for (int i = 0; i < 3; ++i) {
+    const auto value = number(text, from[i], to[i]);
+    if (!value) refuse();
+    vector[i] = *value;
+  }
+  return vector;
 }
 
 double headingRadians(double degrees) {

@@ -1,27 +1,26 @@
 #include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Csv.h"
-#include "hydro/database/CoefficientsFile.h"
 #include "hydro/forces/WaveExcitation.h"
 
 namespace cutwater::command {
 
-void excitation(const std::string& database, double speed, double headingDeg,
-                const std::string& omegaRange, const std::string& out) {
-  requireZeroSpeed(speed);
-  std::string warning;
-  const Coefficients coefficients = readCoefficients(database, &warning);
-  warn(warning);
+void excitation(const std::string& database, const WaveOptions& options, const std::string& out) {
+  const Coefficients coefficients = readDatabase(database, options.moving);
   const WaveExcitation waves(coefficients);
-  const double heading = headingRadians(headingDeg);
+  const double heading = headingRadians(options.headingDeg), speed = options.moving.speed;
   Csv csv("omega,omega_e,j,fk_re,fk_im,diff_re,diff_im");
-  for (const double omega : omegaList(omegaRange, defaultWaveOmega(coefficients))) {
-    const WaveExcitation::Force force = waves.at(omega, heading);
+  const auto add = [&](double omega) {
+    const WaveExcitation::Force force = waves.at(omega, heading, speed);
+    const double met = encounterFrequency(omega, speed, heading, coefficients.ship.gravity);
     for (int j = 0; j < 6; ++j) {
       const Complex fk = force.froudeKrylov[j], diffraction = force.diffraction[j];
-      csv.row(
-          {omega, omega, j + 1.0, fk.real(), fk.imag(), diffraction.real(), diffraction.imag()});
+      csv.row({omega, met, j + 1.0, fk.real(), fk.imag(), diffraction.real(), diffraction.imag()});
     }
-  }
+  };
+  const auto omegas = omegaList(options.omegaRange, defaultWaveOmega(coefficients));
+  naming(database, [&] {
+    for (const double omega : omegas) add(omega);
+  });
   csv.write(out);
 }
 

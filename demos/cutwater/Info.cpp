@@ -74,6 +74,55 @@ double infinityDifference(const Coefficients& c) {
   return 100.0 * difference.cwiseQuotient(size * size.transpose()).cwiseAbs().maxCoeff();
 }
 
+// Where the coefficients may not be taken as solved: mask, its envelopes, condition numbers.
+void listMask(Csv& csv, const Coefficients& c) {
+  std::string masked;
+  int count = 0;
+  for (std::size_t i = 0; i < c.masked.size(); ++i) {
+    if (c.masked[i] == 0) continue;
+    masked += (count++ > 0 ? " " : "") + csvNumber(c.omega[i]);
+  }
+  list(csv, "masked_frequencies", csvNumber(count), "");
+  if (count > 0) list(csv, "masked_omega", masked, "rad/s");
+  for (const auto& [name, limit] : {std::pair{"condition_limit_even", &c.conditionLimitEven},
+                                    std::pair{"condition_limit_odd", &c.conditionLimitOdd}}) {
+    std::string points;
+    for (const auto& [omega, value] : *limit) {
+      points +=
+          fmt::format("{}[{}; {}]", points.empty() ? "" : " ", csvNumber(omega), csvNumber(value));
+    }
+    if (!points.empty()) list(csv, name, points, "[rad/s; 1]");
+  }
+  for (const auto& [name, table] : {std::pair{"condition_even_max", &c.conditionEven},
+                                    std::pair{"condition_odd_max", &c.conditionOdd}}) {
+    if (!table->empty())
+      list(csv, name, csvNumber(*std::max_element(table->begin(), table->end())), "");
+  }
+}
+
+// The value of a key in the solver's settings, kept as TOML text; empty if it is not there.
+std::string setting(const Coefficients& c, const std::string& key) {
+  const std::string& text = c.provenance.settings;
+  const std::size_t at = text.find(key + " = ");
+  if (at == std::string::npos) return {};
+  const std::size_t from = at + key.size() + 3, end = std::min(text.find('\n', from), text.size());
+  std::string value = text.substr(from, end - from);
+  std::erase(value, '"');
+  return value;
+}
+
+// What the file holds for forward speed.
+void listSpeed(Csv& csv, const Coefficients& c) {
+  list(csv, "forward_speed", c.forwardSpeed == ForwardSpeedForm::Tuck ? "tuck" : "report", "");
+  list(csv, "adjoint_vectors", c.adjoint.empty() ? "0" : "1", "");
+  list(csv, "adjoint_vectors_dx", c.adjointX.empty() ? "0" : "1", "");
+  list(csv, "x_derivatives", c.addedMassX.empty() ? "0" : "1", "");
+  for (std::size_t i = 0; i < c.diffractionTable.speeds.size(); ++i) {
+    list(csv, fmt::format("speed_{}", i + 1), csvNumber(c.diffractionTable.speeds[i]), "m/s");
+  }
+  if (!c.adjoint.empty()) list(csv, "speeds", "any", "m/s");
+}
+
 }  // namespace
 
 void info(const std::string& database, const std::string& out) {
@@ -93,18 +142,14 @@ void info(const std::string& database, const std::string& out) {
   for (std::size_t i = 0; i < c.headings.size(); ++i) {
     number(fmt::format("heading_{}", i + 1), c.headings[i] * 180.0 / kPi, "deg");
   }
-  number("adjoint_vectors", c.adjoint.empty() ? 0 : 1, "");
-  number("x_derivatives", c.addedMassX.empty() ? 0 : 1, "");
-  number("masked_frequencies", 0, "");
+  list(csv, "formulation", setting(c, "formulation"), "");
+  listSpeed(csv, c);
+  listMask(csv, c);
   number("check_added_mass_asymmetry", asymmetry(c.addedMass), "%");
   number("check_damping_asymmetry", asymmetry(c.damping), "%");
   double smallest = 0.0;
   for (const Mat6& b : c.damping) smallest = std::min(smallest, b.diagonal().minCoeff());
   number("check_damping_smallest_diagonal", smallest, "");
-  for (const auto& [name, table] : {std::pair{"condition_even_max", &c.conditionEven},
-                                    std::pair{"condition_odd_max", &c.conditionOdd}}) {
-    if (!table->empty()) number(name, *std::max_element(table->begin(), table->end()), "");
-  }
   number("added_mass_inf_from_finite_frequencies", c.addedMassInfDirect.isZero() ? 0 : 1, "");
   number("check_added_mass_inf_direct_difference", infinityDifference(c), "%");
   list(csv, "code", c.provenance.code, "");

@@ -1,24 +1,65 @@
+#include <fmt/format.h>
+
+#include <limits>
+
 #include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Csv.h"
-#include "hydro/database/CoefficientsFile.h"
+#include "hydro/Errors.h"
+#include "hydro/database/Loading.h"
 #include "hydro/forces/FrequencyResponse.h"
 
 namespace cutwater::command {
 
-void rao(const std::string& database, double speed, double headingDeg,
-         const std::string& omegaRange, const std::string& out) {
-  requireZeroSpeed(speed);
-  std::string warning;
-  const Coefficients coefficients = readCoefficients(database, &warning);
-  warn(warning);
+namespace {
+
+constexpr double kSlow = 0.1;  // [rad/s], see FrequencyResponse
+
+Coefficients loaded(const Coefficients& c, const LoadingOptions& loading) {
+  if (!loading.mass && loading.cog.empty() && loading.gyradii.empty()) return c;
+  const ShipParticulars& ship = c.ship;
+  return withLoading(
+      c, loading.mass.value_or(ship.mass),
+      loading.cog.empty() ? ship.cog : vectorOption("--cog", loading.cog),
+      loading.gyradii.empty() ? ship.gyradii : vectorOption("--gyradii", loading.gyradii));
+}
+
+// nan where nothing bounds the motion.
+CVec6 motion(const FrequencyResponse& response, double omega, double heading, double speed) {
+  try {
+    return response.at(omega, heading, speed);
+  } catch (const HydroError& error) {
+    if (error.fault() != Fault::MatrixSingular) throw;
+    return CVec6::Constant(std::numeric_limits<double>::quiet_NaN());
+  }
+}
+
+}  // namespace
+
+void rao(const std::string& database, const WaveOptions& options, const LoadingOptions& loading,
+         const std::string& out) {
+  Coefficients coefficients = readDatabase(database, options.moving);
+  naming(database, [&] { coefficients = loaded(coefficients, loading); });
   const FrequencyResponse response(coefficients);
-  const double heading = headingRadians(headingDeg);
+  const double heading = headingRadians(options.headingDeg), speed = options.moving.speed;
   Csv csv("omega,omega_e,j,amplitude,phase_deg");
-  for (const double omega : omegaList(omegaRange, defaultWaveOmega(coefficients))) {
-    const CVec6 eta = response.at(omega, heading);
+  int slow = 0;
+  const auto add = [&](double omega) {
+    const double met = encounterFrequency(omega, speed, heading, coefficients.ship.gravity);
+    if (speed != 0.0 && std::abs(met) < kSlow) ++slow;
+    const CVec6 eta = motion(response, omega, heading, speed);
     for (int j = 0; j < 6; ++j) {
-      csv.row({omega, omega, j + 1.0, std::abs(eta[j]), std::arg(eta[j]) * 180.0 / kPi});
+      csv.row({omega, met, j + 1.0, std::abs(eta[j]), std::arg(eta[j]) * 180.0 / kPi});
     }
+  };
+  const auto omegas = omegaList(options.omegaRange, defaultWaveOmega(coefficients));
+  naming(database, [&] {
+    for (const double omega : omegas) add(omega);
+  });
+  if (slow > 0) {
+    warn(
+        fmt::format("{} of {} waves are met at less than {} rad/s, where surge, sway and yaw are "
+                    "not theory",
+                    slow, omegas.size(), kSlow));
   }
   csv.write(out);
 }

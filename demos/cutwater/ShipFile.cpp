@@ -82,54 +82,89 @@ std::vector<double> frequencies(TomlSection& section, const std::string& key, do
   return values;
 }
 
-// Keys of the contract whose other values this version does not compute: refused, never ignored.
-void refuseOtherMethods(TomlSection& solve) {
-  const auto only = [&](const std::string& key, const std::string& value,
-                        const std::vector<std::string>& all) {
-    if (solve.text(key, value, all) != value) {
-      solve.refuse(key, "only \"" + value + "\" is possible in this version");
-    }
-  };
-  only("formulation", "potential", {"potential", "source"});
-  only("derivatives", "stokes", {"stokes", "source"});
-  solve.text("forward_speed", "report", {"report", "tuck"});  // both are nothing at U = 0
-  only("influence", "adjoint", {"adjoint", "direct", "interpolated", "interpolated-inverse"});
-  for (const char* key : {"source_points", "galerkin_points"}) {
-    if (solve.integer(key, 1, 1, 9) != 1) solve.refuse(key, "only 1 is possible in this version");
-  }
-  for (const double speed : solve.numbers("speeds", {0.0}, -100.0, 100.0)) {
-    if (speed != 0.0) solve.refuse("speeds", "only 0 is possible in this version");
-  }
-  for (const char* key : {"condition_limit_even", "condition_limit_odd"}) {
-    if (!solve.numbers(key, {}, 0.0, 0.0).empty())
-      solve.refuse(key, "no mask in this version; keep the lid");
-  }
+// One of `names`, as the enumerator at its place.
+template <class Enum>
+Enum choice(TomlSection& section, const std::string& key, const std::vector<std::string>& names,
+            Enum fallback) {
+  const std::string word = section.text(key, names[static_cast<std::size_t>(fallback)], names);
+  return static_cast<Enum>(std::find(names.begin(), names.end(), word) - names.begin());
 }
 
-void readSolve(TomlSection solve, ShipFile& ship) {
-  ship.solve.omega = frequencies(solve, "omega", 0.1, 6.0, 0.1);
-  ship.waveOmega = frequencies(solve, "wave_omega", 0.2, 2.0, 0.05);
-  if (ship.waveOmega.back() > ship.solve.omega.back() * (1.0 + 1e-9)) {
-    solve.refuse("wave_omega", "must end at or below the last omega");
+// 1, 4 or 9; "auto" is 0 where it is allowed.
+int points(TomlSection& solve, const std::string& key, int fallback, bool automatic) {
+  if (automatic && solve.isText(key)) {
+    solve.text(key, "auto", {"auto"});
+    return 0;
   }
-  ship.solve.headings.clear();
+  const int count = solve.integer(key, fallback, 1, 9);
+  if (solve.has(key) && count != 1 && count != 4 && count != 9) {
+    solve.refuse(key, automatic ? "must be 1, 4, 9 or \"auto\"" : "must be 1, 4 or 9");
+  }
+  return count;
+}
+
+ConditionLimit conditionLimit(TomlSection& solve, const std::string& key) {
+  ConditionLimit limit = solve.pairs(key, 0.0, 1e18);
+  for (std::size_t i = 0; i < limit.size(); ++i) {
+    if (i > 0 && limit[i].first <= limit[i - 1].first) solve.refuse(key, "omega must increase");
+    if (!(limit[i].second >= 1.0)) solve.refuse(key, "a condition number is never below 1");
+  }
+  return limit;
+}
+
+void readMethods(TomlSection& solve, SolveSettings& settings) {
+  settings.formulation =
+      choice(solve, "formulation", {"potential", "source"}, settings.formulation);
+  settings.derivatives = choice(solve, "derivatives", {"stokes", "source"}, settings.derivatives);
+  if (settings.derivatives == Derivatives::Source && settings.formulation != Formulation::Source) {
+    solve.refuse("derivatives", "needs formulation = \"source\"");
+  }
+  settings.forwardSpeed = choice(solve, "forward_speed", {"report", "tuck"}, settings.forwardSpeed);
+  settings.influence = choice(solve, "influence", {"adjoint", "direct", "interpolated", "inverse"},
+                              settings.influence);
+  settings.sourcePoints = points(solve, "source_points", settings.sourcePoints, true);
+  settings.galerkinPoints = points(solve, "galerkin_points", settings.galerkinPoints, false);
+  settings.lid = solve.boolean("lid", settings.lid);
+  settings.conditionLimitEven = conditionLimit(solve, "condition_limit_even");
+  settings.conditionLimitOdd = conditionLimit(solve, "condition_limit_odd");
+}
+
+// Each direction once, in order: 0 and 360 are one column of the table.
+std::vector<double> headings(TomlSection& solve) {
+  std::vector<double> all, distinct;
   for (const double degrees : solve.numbers("headings_deg", {180.0}, -360.0, 360.0)) {
-    ship.solve.headings.push_back(degrees * kDegree);
+    all.push_back(degrees * kDegree);
   }
-  // Each direction once: 0 and 360 are one column of the table.
-  std::sort(ship.solve.headings.begin(), ship.solve.headings.end());
+  std::sort(all.begin(), all.end());
   const auto same = [](double a, double b) {
     return std::abs(std::remainder(a - b, 2.0 * kPi)) < 1e-9;
   };
-  std::vector<double> distinct;
-  for (const double heading : ship.solve.headings) {
+  for (const double heading : all) {
     const bool known = std::any_of(distinct.begin(), distinct.end(),
                                    [&](double other) { return same(heading, other); });
     if (!known) distinct.push_back(heading);
   }
-  ship.solve.headings = distinct;
-  ship.solve.lid = solve.boolean("lid", true);
-  refuseOtherMethods(solve);
+  return distinct;
+}
+
+void readSolve(TomlSection solve, SolveSettings& settings) {
+  settings.omega = frequencies(solve, "omega", 0.1, 6.0, 0.1);
+  settings.waveOmega = frequencies(solve, "wave_omega", 0.2, 2.0, 0.05);
+  if (settings.waveOmega.back() > settings.omega.back() * (1.0 + 1e-9)) {
+    solve.refuse("wave_omega", "must end at or below the last omega");
+  }
+  settings.headings = headings(solve);
+  settings.speeds = solve.numbers("speeds", {0.0}, 0.0, 100.0);
+  std::sort(settings.speeds.begin(), settings.speeds.end());
+  settings.speeds.erase(std::unique(settings.speeds.begin(), settings.speeds.end()),
+                        settings.speeds.end());
+  readMethods(solve, settings);
+  if (settings.influence != Influence::Adjoint && settings.headings.empty()) {
+    solve.refuse("headings_deg", "must hold a heading unless influence is \"adjoint\"");
+  }
+  if (settings.influence != Influence::Adjoint && settings.speeds.empty()) {
+    solve.refuse("speeds", "must hold a speed unless influence is \"adjoint\"");
+  }
   solve.finish();
 }
 
@@ -181,7 +216,7 @@ ShipFile readShipFile(const std::string& path) {
   p.centreOfBuoyancy = ship.hydrostatics.buoyancy;
   p.restoring = ship.hydrostatics.restoring;
   readSupplementary(file.section("supplementary"), p.supplementary);
-  readSolve(file.section("solve"), ship);
+  readSolve(file.section("solve"), ship.solve);
   file.root().finish();
   warnIfUnbalanced(path, ship);
   return ship;

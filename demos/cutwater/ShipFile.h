@@ -11,7 +11,6 @@ struct ShipFile {
   ShipParticulars particulars;  ///< complete: hull, mass, restoring
   Hydrostatics hydrostatics;
   SolveSettings solve;
-  std::vector<double> waveOmega;  ///< [rad/s]
 };
 
 /// Warns on stderr where mass and displacement or centre of gravity and buoyancy do not balance.

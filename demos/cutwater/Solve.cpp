@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Csv.h"
 #include "demos/cutwater/Progress.h"
 #include "demos/cutwater/ShipFile.h"
 #include "hydro/database/CoefficientsFile.h"
+#include "hydro/database/IrregularFrequencies.h"
 #include "hydro/memory/ConsistentLimit.h"
 
 namespace cutwater::command {
@@ -18,15 +21,24 @@ void solve(const std::string& path, const std::string& database, int threads) {
              ship.particulars.wetSurface.faces.size(), ship.particulars.symmetric ? " a side" : "",
              ship.solve.omega.size(), ship.solve.headings.size());
   Progress progress("solve");
-  Coefficients coefficients = withConsistentLimit(
-      buildCoefficients(ship.particulars, ship.solve,
-                        [&progress](int done, int total) { progress.at(done, total); }));
-  coefficients.waveOmega = ship.waveOmega;
-  if (coefficients.resolvedOmega > 0.0 && coefficients.resolvedOmega < ship.waveOmega.back()) {
+  Coefficients coefficients = buildCoefficients(
+      ship.particulars, ship.solve, [&progress](int done, int total) { progress.at(done, total); });
+  const std::vector<double>& waveOmega = ship.solve.waveOmega;
+  coefficients.waveOmega = waveOmega;
+  coefficients.forwardSpeed = ship.solve.forwardSpeed;
+  coefficients.conditionLimitEven = ship.solve.conditionLimitEven;
+  coefficients.conditionLimitOdd = ship.solve.conditionLimitOdd;
+  naming(path, [&] { coefficients = withConsistentLimit(applyMask(std::move(coefficients))); });
+  if (const auto left = std::count(coefficients.masked.begin(), coefficients.masked.end(), 1);
+      left > 0) {
+    fmt::print(stderr, "solve: {} of {} frequencies masked and interpolated\n", left,
+               coefficients.omega.size());
+  }
+  if (coefficients.resolvedOmega > 0.0 && coefficients.resolvedOmega < waveOmega.back()) {
     warn(
         fmt::format("{}: the panels resolve waves up to {:.2f} rad/s only, wave_omega ends at "
                     "{:.2f}; use a finer mesh",
-                    path, coefficients.resolvedOmega, ship.waveOmega.back()));
+                    path, coefficients.resolvedOmega, waveOmega.back()));
   }
   constexpr double kStep = 0.05, kDuration = 30.0;  // of K for the readers of BEMIO [s]
   writeCoefficients(coefficients, database,

@@ -120,6 +120,28 @@ std::vector<double> TomlSection::numbers(const std::string& key,
   return values;
 }
 
+std::vector<std::pair<double, double>> TomlSection::pairs(const std::string& key, double low,
+                                                          double high) {
+  state_->asked.insert(key);
+  std::vector<std::pair<double, double>> values;
+  const toml::node* node = state_->find(key);
+  if (node == nullptr) return values;
+  if (!node->is_array()) refuse(key, "must be a list of pairs of numbers");
+  for (const toml::node& item : *node->as_array()) {
+    const toml::array* pair = item.as_array();
+    if (pair == nullptr || pair->size() != 2) refuse(key, "must be a list of pairs of numbers");
+    const auto a = (*pair)[0].value<double>(), b = (*pair)[1].value<double>();
+    if (!a || !b || !(*pair)[0].is_number() || !(*pair)[1].is_number()) {
+      refuse(key, "must be a list of pairs of numbers");
+    }
+    if (!(*a >= low && *a <= high && *b >= low && *b <= high)) {
+      refuse(key, fmt::format("each value must be in {}..{}", low, high));
+    }
+    values.emplace_back(*a, *b);
+  }
+  return values;
+}
+
 Vec3 TomlSection::vector(const std::string& key, const Vec3& fallback) {
   constexpr double kFar = 1e6;
   if (!has(key)) {

@@ -23,6 +23,8 @@ class TomlSection {
   /// A number, a list of numbers, or { from, to, step } with both ends; each in [low, high].
   std::vector<double> numbers(const std::string& key, const std::vector<double>& fallback,
                               double low, double high);
+  /// A list of pairs [a, b], each number in [low, high]; empty if the key is absent.
+  std::vector<std::pair<double, double>> pairs(const std::string& key, double low, double high);
   Vec3 vector(const std::string& key, const Vec3& fallback);
   /// True if the value is a number, false if it is text or absent.
   bool isNumber(const std::string& key) const;

@@ -12,8 +12,10 @@ namespace {
 using namespace cutwater;
 
 struct Arguments {
-  std::string input, out, omega;
-  double speed = 0.0, heading = 180.0, step = 0.05, duration = 30.0;
+  std::string input, out;
+  command::WaveOptions waves;
+  command::LoadingOptions loading;
+  double step = 0.05, duration = 30.0;
   int threads = 0;
   bool forces = false;
 };
@@ -42,11 +44,26 @@ void checkFiles(const Arguments& a) {
   }
 }
 
+void speed(CLI::App* sub, Arguments& a) {
+  sub->add_option("--speed", a.waves.moving.speed, "forward speed U [m/s], 0 to 100");
+  sub->add_option("--form", a.waves.moving.form,
+                  "forward-speed terms; default: the database's own (SHIP.toml forward_speed)")
+      ->check(CLI::IsMember({"report", "tuck"}));
+}
+
 void wave(CLI::App* sub, Arguments& a) {
-  sub->add_option("--speed", a.speed, "forward speed U [m/s]; this version: 0");
-  sub->add_option("--heading", a.heading, "beta [deg]: 180 head seas, 0 following, 90 from port")
+  speed(sub, a);
+  sub->add_option("--heading", a.waves.headingDeg,
+                  "beta [deg]: 180 head seas, 0 following, 90 from port")
       ->required();
-  sub->add_option("--omega", a.omega, "wave frequencies A:B:N [rad/s]: N values with both ends");
+  sub->add_option("--omega", a.waves.omegaRange,
+                  "wave frequencies A:B:N [rad/s]: N values with both ends");
+}
+
+void loading(CLI::App* sub, Arguments& a) {
+  sub->add_option("--mass", a.loading.mass, "another mass [kg]; the waterline must stay");
+  sub->add_option("--cog", a.loading.cog, "another centre of gravity X,Y,Z [m], hull axes");
+  sub->add_option("--gyradii", a.loading.gyradii, "other gyradii of roll, pitch, yaw A,B,C [m]");
 }
 
 void addGeometryAndSolver(CLI::App& app, Arguments& a) {
@@ -85,13 +102,13 @@ void addTables(CLI::App& app, Arguments& a) {
 
   sub =
       command(app, "coefficients", "Added mass and damping over frequency, 0 and infinity included",
-              "coefficients frigate.h5 -o coefficients.csv");
+              "coefficients frigate.h5 --speed 10 -o coefficients.csv");
   sub->add_option("database", a.input, "DB.h5")->required();
-  sub->add_option("--speed", a.speed, "forward speed U [m/s]; this version: 0");
+  speed(sub, a);
   output(sub, a);
   sub->callback([&a] {
     checkFiles(a);
-    command::coefficients(a.input, a.speed, a.out);
+    command::coefficients(a.input, a.waves.moving, a.out);
   });
 
   sub = command(app, "excitation", "Froude-Krylov and diffraction forces per metre of wave",
@@ -101,17 +118,18 @@ void addTables(CLI::App& app, Arguments& a) {
   output(sub, a);
   sub->callback([&a] {
     checkFiles(a);
-    command::excitation(a.input, a.speed, a.heading, a.omega, a.out);
+    command::excitation(a.input, a.waves, a.out);
   });
 
   sub = command(app, "rao", "Motions in regular waves by the frequency domain",
-                "rao frigate.h5 --heading 180 --omega 0.2:2:37");
+                "rao frigate.h5 --speed 10 --heading 180 --omega 0.2:2:37");
   sub->add_option("database", a.input, "DB.h5")->required();
   wave(sub, a);
+  loading(sub, a);
   output(sub, a);
   sub->callback([&a] {
     checkFiles(a);
-    command::rao(a.input, a.speed, a.heading, a.omega, a.out);
+    command::rao(a.input, a.waves, a.loading, a.out);
   });
 
   sub = command(app, "retardation", "Memory functions K(tau) of the radiated waves",

@@ -96,9 +96,15 @@ Coefficients readOwn(const hdf5::Reader& reader) {
                                  "reads up to {}",
                                  reader.path(), version, kFormatVersion));
   }
+  if (version == 1) {
+    throw HydroError(Fault::VersionNotSupported,
+                     fmt::format("{}: format version 1, written by an older Cutwater; solve again "
+                                 "(this one reads version {})",
+                                 reader.path(), kFormatVersion));
+  }
   const std::string written = reader.attributeText(kGroup, kChecksum);
   const std::string found = hdf5::contentHash(reader.file());
-  if (version < 1 || found != written) {
+  if (version != kFormatVersion || found != written) {
     throw HydroError(Fault::FileMalformed,
                      fmt::format("{}: damaged or changed since it was written (checksum {}, {} "
                                  "expected)",

@@ -34,7 +34,7 @@ void writeCoefficients(const Coefficients& coefficients, const std::string& path
 /// frequency), x-derivatives and adjoint vectors are missing; its mass is ρ × volume.
 /// @param warning  receives one line that says what is missing, or "" for a database of our own.
 /// @throws HydroError FileNotReadable; FileMalformed (not HDF5, truncated, changed since it was
-///         written); VersionNotSupported (by a newer Cutwater); DatabaseIncomplete;
+///         written); VersionNotSupported (by a newer Cutwater, or version 1); DatabaseIncomplete;
 ///         FormatNotSupported (BEMIO with scaled = 1); ValueOutOfRange (not finite).
 Coefficients readCoefficients(const std::string& path, std::string* warning = nullptr);
 

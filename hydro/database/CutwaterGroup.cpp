@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "hydro/Errors.h"
 
 namespace cutwater {
@@ -26,8 +28,20 @@ class Flat {
 // pack(value, numbers) appends the numbers of one element; unpack takes them back. shapeOf is the
 // element's own shape.
 void pack(double x, std::vector<double>& to) { to.push_back(x); }
+void pack(const std::pair<double, double>& x, std::vector<double>& to) {
+  to.insert(to.end(), {x.first, x.second});
+}
 void pack(const Complex& x, std::vector<double>& to) { to.insert(to.end(), {x.real(), x.imag()}); }
 void unpack(double& x, Flat& from) { x = from.next(); }
+void unpack(std::pair<double, double>& x, Flat& from) {
+  x.first = from.next();
+  x.second = from.next();
+}
+void unpack(int& x, Flat& from) {
+  const double found = from.next();
+  // a damaged number must not overflow; the checks then refuse −2
+  x = std::abs(found) < 2e9 && found == std::floor(found) ? static_cast<int>(found) : -2;
+}
 void unpack(Complex& x, Flat& from) {
   const double re = from.next();
   x = {re, from.next()};
@@ -48,12 +62,7 @@ void pack(const Face& face, std::vector<double>& to) {
   to.insert(to.end(), face.v.begin(), face.v.end());
 }
 void unpack(Face& face, Flat& from) {
-  for (int& v : face.v) {
-    const double x = from.next();
-    // a damaged index must not overflow; the mesh check then refuses −2
-    v = x >= -1.0 && x < 2e9 && x == static_cast<double>(static_cast<int>(x)) ? static_cast<int>(x)
-                                                                              : -2;
-  }
+  for (int& v : face.v) unpack(v, from);
 }
 template <class T>
 void pack(const std::vector<T>& list, std::vector<double>& to) {
@@ -62,6 +71,7 @@ void pack(const std::vector<T>& list, std::vector<double>& to) {
 
 Shape shapeOf(double) { return {}; }
 Shape shapeOf(const Face&) { return {4}; }
+Shape shapeOf(const std::pair<double, double>&) { return {2}; }
 template <class Derived>
 Shape shapeOf(const Eigen::MatrixBase<Derived>& m) {
   Shape shape{static_cast<std::size_t>(m.rows())};
@@ -107,6 +117,9 @@ class GroupWriter {
   void operator()(const std::string& name, const std::string& value) {
     writer_.text("cutwater/" + name, value);
   }
+  void operator()(const std::string& name, const ForwardSpeedForm& value) {
+    (*this)(name, std::string(value == ForwardSpeedForm::Tuck ? "tuck" : "report"));
+  }
 
  private:
   hdf5::Writer& writer_;
@@ -141,6 +154,14 @@ class GroupReader {
   }
   void operator()(const std::string& name, std::string& value) {
     value = reader_.text("cutwater/" + name);
+  }
+  void operator()(const std::string& name, ForwardSpeedForm& value) {
+    const std::string word = reader_.text("cutwater/" + name);
+    if (word != "report" && word != "tuck") {
+      throw HydroError(Fault::FileMalformed,
+                       fmt::format("{}: cutwater/{} = \"{}\"", reader_.path(), name, word));
+    }
+    value = word == "tuck" ? ForwardSpeedForm::Tuck : ForwardSpeedForm::Report;
   }
 
  private:
@@ -188,6 +209,19 @@ void transfer(Store&& store, C& c) {
   store("froude_krylov", c.froudeKrylov);
   store("diffraction", c.diffraction);
   store("adjoint", c.adjoint);
+  store("adjoint_x", c.adjointX);
+  store("adjoint_zero", c.adjointZero);
+  store("adjoint_x_zero", c.adjointXZero);
+  store("adjoint_inf", c.adjointInf);
+  store("adjoint_x_inf", c.adjointXInf);
+  store("forward_speed", c.forwardSpeed);
+  store("diffraction_table/speeds", c.diffractionTable.speeds);
+  store("diffraction_table/headings", c.diffractionTable.headings);
+  store("diffraction_table/wave_omega", c.diffractionTable.waveOmega);
+  store("diffraction_table/values", c.diffractionTable.values);
+  store("masked", c.masked);
+  store("condition_limit_even", c.conditionLimitEven);
+  store("condition_limit_odd", c.conditionLimitOdd);
   store("condition_even", c.conditionEven);
   store("condition_odd", c.conditionOdd);
 }
@@ -208,22 +242,11 @@ class FiniteCheck {
   }
   void operator()(const std::string&, const bool&) {}
   void operator()(const std::string&, const std::string&) {}
+  void operator()(const std::string&, const ForwardSpeedForm&) {}
 
  private:
   std::string where_;
 };
-
-void checkMesh(const SurfaceMesh& mesh, const std::string& where) {
-  const auto count = static_cast<int>(mesh.vertices.size());
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      const int v = mesh.faces[f].v[i];
-      if ((v >= 0 && v < count) || (i == 3 && v == -1)) continue;
-      throw HydroError(Fault::MeshIndexOutOfRange,
-                       fmt::format("{}: face {} names vertex {} of {}", where, f, v, count));
-    }
-  }
-}
 
 }  // namespace
 
@@ -237,42 +260,8 @@ Coefficients readCutwaterGroup(const hdf5::Reader& reader) {
   return coefficients;
 }
 
-void checkCoefficients(const Coefficients& c, const std::string& where) {
-  transfer(FiniteCheck(where), c);
-  const std::size_t n = c.omega.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    if (c.omega[i] > (i == 0 ? 0.0 : c.omega[i - 1])) continue;
-    throw HydroError(Fault::FrequenciesNotIncreasing,
-                     fmt::format("{}: omega[{}] = {} rad/s", where, i, c.omega[i]));
-  }
-  const auto expect = [&](const char* name, std::size_t found, std::size_t expected,
-                          bool optional) {
-    if (found == expected || (optional && found == 0)) return;
-    throw HydroError(Fault::DatabaseIncomplete, fmt::format("{}: {} has {} entries, {} expected",
-                                                            where, name, found, expected));
-  };
-  if (n == 0) throw HydroError(Fault::DatabaseIncomplete, where + ": no frequencies");
-  expect("added_mass", c.addedMass.size(), n, false);
-  expect("damping", c.damping.size(), n, false);
-  expect("added_mass_x", c.addedMassX.size(), n, true);
-  expect("damping_x", c.dampingX.size(), n, true);
-  expect("adjoint", c.adjoint.size(), n, true);
-  expect("condition_even", c.conditionEven.size(), n, true);
-  expect("condition_odd", c.conditionOdd.size(), n, true);
-  expect("froude_krylov", c.froudeKrylov.size(), c.headings.size(), false);
-  expect("diffraction", c.diffraction.size(), c.headings.size(), false);
-  for (const auto& heading : c.froudeKrylov) expect("froude_krylov", heading.size(), n, false);
-  for (const auto& heading : c.diffraction) expect("diffraction", heading.size(), n, false);
-  for (const auto& b : c.adjoint) {
-    expect("adjoint", static_cast<std::size_t>(b.cols()), c.ship.wetSurface.faces.size(), false);
-  }
-  checkMesh(c.ship.hull, where + ": hull");
-  checkMesh(c.ship.wetSurface, where + ": wet surface");
-  if (!(c.ship.density > 0.0 && c.ship.gravity > 0.0)) {
-    throw HydroError(Fault::ValueOutOfRange,
-                     fmt::format("{}: density {} kg/m3 and gravity {} m/s2 must be > 0", where,
-                                 c.ship.density, c.ship.gravity));
-  }
+void checkFinite(const Coefficients& coefficients, const std::string& where) {
+  transfer(FiniteCheck(where), coefficients);
 }
 
 }  // namespace cutwater

@@ -22,13 +22,25 @@ LocalCubic localCubic(std::span<const double> nodes, double x);
 /// @throws HydroError ValueOutOfRange (ω < 0 or NaN), DatabaseIncomplete (no frequencies).
 Mat6 addedMassAt(const Coefficients& coefficients, double omega);
 
-/// B(ω) at any ω ≥ 0: local cubic through B(0) = 0 and the data; beyond Ω it falls as (Ω/ω)³.
+/// B(ω) at any ω ≥ 0: ω times a local cubic of B/ω through 0 at ω = 0, as B vanishes faster than ω
+/// and forward speed divides it by ω; beyond Ω it falls as (Ω/ω)³.
 /// @throws as addedMassAt.
 Mat6 dampingAt(const Coefficients& coefficients, double omega);
 
-/// Adjoint vectors b_j at ω, 6 × panels (Coefficients::adjoint), by local cubic in ω.
-/// @param omega within the range of the data: b_j is not extrapolated.
-/// @throws HydroError ValueOutOfRange, DatabaseIncomplete (none in the database).
-Eigen::Matrix<Complex, 6, Eigen::Dynamic> adjointAt(const Coefficients& coefficients, double omega);
+/// ∂A(ω) and ∂B(ω) at any ω ≥ 0, as A and B: ∂A through ∂A(0), ∂B as B. Ω is here the last
+/// frequency that the panels resolve (Coefficients::resolvedOmega): beyond it the data ring.
+/// @throws as addedMassAt; DatabaseIncomplete if the database holds no x-derivatives.
+Mat6 addedMassXAt(const Coefficients& coefficients, double omega);
+Mat6 dampingXAt(const Coefficients& coefficients, double omega);
+
+/// Adjoint vectors b_j of F^ω at ω ≥ 0, 6 × panels (Coefficients::adjoint): local cubic through b(0)
+/// and the data up to Ω, the last frequency that the panels resolve; beyond it
+/// b(∞) + (b(Ω) − b(∞))(Ω/ω)². Without b(0) the first vectors are held below their frequency.
+/// @throws HydroError ValueOutOfRange (ω < 0, NaN; beyond the last frequency without b(∞)),
+///         DatabaseIncomplete (none in the database).
+Coefficients::AdjointVectors adjointAt(const Coefficients& coefficients, double omega);
+
+/// b^x_j of F^U, likewise (Coefficients::adjointX).
+Coefficients::AdjointVectors adjointXAt(const Coefficients& coefficients, double omega);
 
 }  // namespace cutwater

@@ -8,7 +8,7 @@
 namespace cutwater {
 
 ExcitationForce::ExcitationForce(const Coefficients& coefficients, const SeaState& sea,
-                                 double meanHeading)
+                                 double meanHeading, double meanSpeed)
     : sea_(sea) {
   if (sea.components().empty()) return;
   const WaveExcitation excitation(coefficients);
@@ -19,7 +19,7 @@ ExcitationForce::ExcitationForce(const Coefficients& coefficients, const SeaStat
     // at the polar angle −β − ψ̄, hence β + ψ̄ relative to her.
     WaveExcitation::Force force;
     try {
-      force = excitation.at(wave.omega, wave.heading + meanHeading);
+      force = excitation.at(wave.omega, wave.heading + meanHeading, meanSpeed);
     } catch (const HydroError& error) {
       throw HydroError(error.fault(), "wave component " + std::to_string(i) + ": " + error.what());
     }

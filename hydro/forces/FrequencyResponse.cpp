@@ -1,28 +1,58 @@
 #include "hydro/forces/FrequencyResponse.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/LU>
-#include <string>
+#include <cmath>
 #include <vector>
 
 #include "hydro/Errors.h"
-#include "hydro/database/Interpolation.h"
+#include "hydro/database/ForwardSpeed.h"
 
 namespace cutwater {
 
-FrequencyResponse::FrequencyResponse(const Coefficients& coefficients,
-                                     std::array<bool, 6> restrained)
-    : coefficients_(coefficients), excitation_(coefficients), restrained_(restrained) {}
+namespace {
 
-CVec6 FrequencyResponse::at(double omega, double heading) const {
+[[noreturn]] void refuse(double omegaE, const std::string& modes) {
+  throw HydroError(
+      Fault::MatrixSingular,
+      fmt::format("FrequencyResponse: no bounded motion at omega_e = {} rad/s: {}", omegaE,
+                  modes.empty() ? "singular matrix" : "nothing holds" + modes));
+}
+
+Eigen::VectorXcd solved(const CMat6& system, const std::vector<int>& free, const CVec6& force,
+                        double omegaE) {
+  std::string loose;
+  for (const int j : free) {
+    if (system.col(j)(free).isZero(0.0)) loose += std::string(" ") + kModeNames[j];
+  }
+  if (!loose.empty()) refuse(omegaE, loose);
+  Eigen::VectorXcd solution = system(free, free).eval().partialPivLu().solve(force(free));
+  if (!solution.allFinite()) refuse(omegaE, "");
+  return solution;
+}
+
+}  // namespace
+
+FrequencyResponse::FrequencyResponse(const Coefficients& coefficients,
+                                     std::array<bool, 6> restrained,
+                                     std::optional<ForwardSpeedForm> form)
+    : coefficients_(coefficients),
+      form_(form.value_or(coefficients.forwardSpeed)),
+      excitation_(coefficients, form),
+      restrained_(restrained) {}
+
+CVec6 FrequencyResponse::at(double omegaI, double heading, double speed) const {
   const ShipParticulars& ship = coefficients_.ship;
-  const CVec6 force = excitation_.at(omega, heading).total();
-  const Mat6 inertia = ship.massMatrix() + addedMassAt(coefficients_, omega);
-  Mat6 damping = dampingAt(coefficients_, omega);
+  const double omegaE = encounterFrequency(omegaI, speed, heading, ship.gravity);
+  const double omega = std::abs(omegaE);
+  CVec6 force = excitation_.at(omegaI, heading, speed).total();
+  if (omegaE < 0.0) force = force.conjugate().eval();
   Mat6 stiffness = ship.restoring;
-  damping.diagonal() += ship.supplementary.damping;
   stiffness.diagonal() += ship.supplementary.stiffness;
-  const CMat6 system = (-omega * omega * inertia + stiffness).cast<Complex>() +
-                       Complex(0.0, omega) * damping.cast<Complex>();
+  CMat6 system = radiationImpedance(coefficients_, omega, speed, form_) +
+                 (stiffness - omega * omega * ship.massMatrix()).cast<Complex>();
+  system.diagonal() += Complex(0.0, omega) * ship.supplementary.damping.cast<Complex>();
 
   std::vector<int> free;
   for (int j = 0; j < 6; ++j) {
@@ -30,13 +60,8 @@ CVec6 FrequencyResponse::at(double omega, double heading) const {
   }
   CVec6 eta = CVec6::Zero();
   if (free.empty()) return eta;
-  const Eigen::VectorXcd solution = system(free, free).eval().partialPivLu().solve(force(free));
-  if (!solution.allFinite()) {
-    throw HydroError(Fault::MatrixSingular, "FrequencyResponse: no motion at omega = " +
-                                                std::to_string(omega) + " rad/s: singular matrix");
-  }
-  eta(free) = solution;
-  return eta;
+  eta(free) = solved(system, free, force, omegaE);
+  return omegaE < 0.0 ? CVec6(eta.conjugate()) : eta;
 }
 
 }  // namespace cutwater

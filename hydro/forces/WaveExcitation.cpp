@@ -1,22 +1,28 @@
 #include "hydro/forces/WaveExcitation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "hydro/Errors.h"
+#include "hydro/database/ForwardSpeed.h"
 #include "hydro/database/Interpolation.h"
-#include "hydro/waves/IncidentWaveForce.h"
 
 namespace cutwater {
 
 namespace {
+
+[[noreturn]] void refuse(Fault fault, const std::string& what) {
+  throw HydroError(fault, "WaveExcitation: " + what);
+}
 
 // The two columns of a table of headings that stand on either side of β, and the weight of the second.
 // Headings are angles: in any order, modulo 2π.
 struct Bracket {
   std::size_t low, high;
   double weight;
+  bool mirrored;  // of −β instead, modes 2, 4, 6 reversed
 };
 
 bool bracket(const std::vector<double>& headings, double beta, Bracket& found) {
@@ -37,15 +43,48 @@ bool bracket(const std::vector<double>& headings, double beta, Bracket& found) {
   return above - below < kWidest;
 }
 
+/// What a table of one side of a symmetric hull lacks is its mirror image.
+Bracket columns(const std::vector<double>& headings, double beta, bool symmetric) {
+  Bracket found{};
+  if (bracket(headings, beta, found)) return found;
+  found.mirrored = true;
+  if (symmetric && bracket(headings, -beta, found)) return found;
+  refuse(Fault::ValueOutOfRange,
+         fmt::format("heading {:.6g} deg is outside the database's table, which has no adjoint "
+                     "vectors",
+                     beta * 180.0 / kPi));
+}
+
+/// The row of a speed; the number of rows if there is none.
+std::size_t rowOf(const DiffractionTable& table, double speed) {
+  const auto row = std::find_if(table.speeds.begin(), table.speeds.end(),
+                                [&](double u) { return std::abs(u - speed) <= 1e-9; });
+  return static_cast<std::size_t>(row - table.speeds.begin());
+}
+
 CVec6 reversedOddModes(const CVec6& force) {
   CVec6 mirrored = force;
   for (const int j : {Sway, Roll, Yaw}) mirrored[j] = -mirrored[j];
   return mirrored;
 }
 
+/// Σ over the nodes in ω and the two headings of value(heading, node).
+template <class Value>
+CVec6 mixed(const Bracket& b, const LocalCubic& cubic, Value value) {
+  CVec6 sum = CVec6::Zero();
+  for (std::size_t i = 0; i < cubic.count; ++i) {
+    const std::size_t node = cubic.first + i;
+    sum +=
+        cubic.weight[i] * ((1.0 - b.weight) * value(b.low, node) + b.weight * value(b.high, node));
+  }
+  return b.mirrored ? reversedOddModes(sum) : sum;
+}
+
 }  // namespace
 
-WaveExcitation::WaveExcitation(const Coefficients& coefficients) : coefficients_(coefficients) {
+WaveExcitation::WaveExcitation(const Coefficients& coefficients,
+                               std::optional<ForwardSpeedForm> form)
+    : coefficients_(coefficients), form_(form.value_or(coefficients.forwardSpeed)) {
   if (!coefficients.ship.wetSurface.faces.empty()) {
     const ShipParticulars& ship = coefficients.ship;
     panels_ = makePanels(ship.wetSurface, ship.symmetric);
@@ -53,55 +92,95 @@ WaveExcitation::WaveExcitation(const Coefficients& coefficients) : coefficients_
   }
 }
 
-WaveExcitation::Force WaveExcitation::at(double omega, double heading) const {
-  const auto& grid = coefficients_.omega;
-  if (grid.empty() || !(omega > 0.0) || omega > grid.back() * (1.0 + 1e-9)) {
-    throw HydroError(Fault::ValueOutOfRange,
-                     "WaveExcitation: omega = " + std::to_string(omega) + " rad/s is outside 0.." +
-                         std::to_string(grid.empty() ? 0.0 : grid.back()) + " of the database");
+WaveExcitation::Force WaveExcitation::at(double omegaI, double heading, double speed) const {
+  const Coefficients& c = coefficients_;
+  if (c.omega.empty() || !(omegaI > 0.0) || omegaI > c.omega.back() * (1.0 + 1e-9)) {
+    refuse(Fault::ValueOutOfRange, fmt::format("omega = {} rad/s is outside 0..{} of the database",
+                                               omegaI, c.omega.empty() ? 0.0 : c.omega.back()));
   }
-  if (coefficients_.adjoint.empty() || panels_.panels.empty()) return fromTable(omega, heading);
-  const ShipParticulars& ship = coefficients_.ship;
-  const AiryWave wave{omega, heading, ship.gravity};
-  const double solved = std::clamp(omega, grid.front(), grid.back());
+  if (!std::isfinite(speed)) refuse(Fault::ValueOutOfRange, fmt::format("speed = {} m/s", speed));
+  const ShipParticulars& ship = c.ship;
+  const AiryWave wave{omegaI, heading, ship.gravity};
   Force force;
-  force.froudeKrylov = froudeKrylovForce(faces_, wave, ship.cog, ship.density);
-  force.diffraction =
-      omega * diffractionForce(adjointAt(coefficients_, solved), panels_, wave, ship.cog);
+  if (!c.adjoint.empty() && !panels_.panels.empty()) {
+    force.diffraction = fromVectors(wave, speed);
+  } else if (speed == 0.0 && rowOf(c.diffractionTable, speed) == c.diffractionTable.speeds.size()) {
+    force = fromTables(omegaI, heading);
+  } else {
+    force.diffraction = fromDiffractionTable(wave, speed);
+  }
+  if (!panels_.panels.empty()) {
+    force.froudeKrylov = froudeKrylovForce(faces_, wave, ship.cog, ship.density);
+  } else if (speed != 0.0) {
+    force.froudeKrylov = fromTables(omegaI, heading).froudeKrylov;
+  }
   return force;
 }
 
-WaveExcitation::Force WaveExcitation::fromTable(double omega, double heading) const {
+CVec6 WaveExcitation::fromVectors(const AiryWave& wave, double speed) const {
+  const Coefficients& c = coefficients_;
+  const double omegaE = encounterFrequency(wave.omega, speed, wave.heading, wave.gravity);
+  const bool overtaking = omegaE < 0.0;
+  IncidentVelocity v = incidentNormalVelocity(panels_, wave, c.ship.cog);
+  if (overtaking) v = {v.even.conjugate(), v.odd.conjugate()};
+  const double solved = std::abs(omegaE);
+  const CVec6 omegaForce = diffractionForce(adjointAt(c, solved), v);
+  CVec6 force = solved * omegaForce;
+  if (speed != 0.0 && form_ == ForwardSpeedForm::Tuck) {
+    force += speed * tuckSpeedForce(omegaForce);
+  } else if (speed != 0.0) {
+    if (c.adjointX.empty()) {
+      refuse(Fault::DatabaseIncomplete,
+             fmt::format("speed = {} m/s, form report: the database holds no adjoint vectors of "
+                         "d/dx (form tuck needs none)",
+                         speed));
+    }
+    force += speed * diffractionForce(adjointXAt(c, solved), v);
+  }
+  return overtaking ? CVec6(force.conjugate()) : force;
+}
+
+CVec6 WaveExcitation::fromDiffractionTable(const AiryWave& wave, double speed) const {
+  const DiffractionTable& table = coefficients_.diffractionTable;
+  if (table.empty()) {
+    refuse(Fault::DatabaseIncomplete,
+           fmt::format("speed = {} m/s: the database has neither adjoint vectors nor a table of "
+                       "diffraction forces at speed",
+                       speed));
+  }
+  const std::size_t row = rowOf(table, speed);
+  if (row == table.speeds.size()) {
+    refuse(Fault::ValueOutOfRange,
+           fmt::format("speed = {} m/s: the database, which has no adjoint vectors, was solved for "
+                       "{} m/s",
+                       speed, fmt::join(table.speeds, ", ")));
+  }
+  if (speed != 0.0 && form_ != coefficients_.forwardSpeed) {
+    refuse(Fault::BadArgument, "the database's table of diffraction forces has the other form");
+  }
+  const auto& nodes = table.waveOmega;
+  if (wave.omega > nodes.back() * (1.0 + 1e-9)) {
+    refuse(Fault::ValueOutOfRange,
+           fmt::format("omega = {} rad/s: the database's table of diffraction forces ends at {}",
+                       wave.omega, nodes.back()));
+  }
+  return mixed(columns(table.headings, wave.heading, coefficients_.ship.symmetric),
+               localCubic(nodes, std::clamp(wave.omega, nodes.front(), nodes.back())),
+               [&](std::size_t h, std::size_t i) -> const CVec6& { return table.at(row, h, i); });
+}
+
+WaveExcitation::Force WaveExcitation::fromTables(double omegaI, double heading) const {
   const Coefficients& c = coefficients_;
   if (c.headings.empty() || c.froudeKrylov.empty()) {
-    throw HydroError(Fault::DatabaseIncomplete,
-                     "WaveExcitation: the database has no wave excitation");
+    refuse(Fault::DatabaseIncomplete, "the database has no wave excitation");
   }
-  // What a table of one side of a symmetric hull lacks is its mirror image.
-  Bracket b{};
-  bool mirrored = false;
-  if (!bracket(c.headings, heading, b)) {
-    mirrored = c.ship.symmetric && bracket(c.headings, -heading, b);
-    if (!mirrored) {
-      throw HydroError(Fault::ValueOutOfRange,
-                       "WaveExcitation: heading " + std::to_string(heading * 180.0 / kPi) +
-                           " deg is outside the database's table, which has no adjoint vectors");
-    }
-  }
-  const double solved = std::clamp(omega, c.omega.front(), c.omega.back());
-  const LocalCubic cubic = localCubic(c.omega, solved);
-  Force force;
-  for (std::size_t i = 0; i < cubic.count; ++i) {
-    const auto mix = [&](const std::vector<std::vector<CVec6>>& table) -> CVec6 {
-      const std::size_t row = cubic.first + i;
-      return cubic.weight[i] *
-             ((1.0 - b.weight) * table[b.low][row] + b.weight * table[b.high][row]);
-    };
-    force.froudeKrylov += mix(c.froudeKrylov);
-    force.diffraction += mix(c.diffraction);
-  }
-  if (mirrored) return {reversedOddModes(force.froudeKrylov), reversedOddModes(force.diffraction)};
-  return force;
+  const Bracket b = columns(c.headings, heading, c.ship.symmetric);
+  const LocalCubic cubic = localCubic(c.omega, std::clamp(omegaI, c.omega.front(), c.omega.back()));
+  const auto from = [&](const std::vector<std::vector<CVec6>>& table) {
+    return mixed(b, cubic,
+                 [&](std::size_t h, std::size_t i) -> const CVec6& { return table[h][i]; });
+  };
+  return {from(c.froudeKrylov), from(c.diffraction)};
 }
 
 }  // namespace cutwater

@@ -1,16 +1,28 @@
 #pragma once
+#include <optional>
+
 #include "hydro/database/Coefficients.h"
 #include "hydro/geometry/PanelMesh.h"
+#include "hydro/waves/IncidentWaveForce.h"
 
 namespace cutwater {
 
-/// Complex excitation of a ship by a unit Airy wave, for any heading and frequency, U = 0.
+/// Complex excitation of a ship by a unit Airy wave, for any heading, frequency and forward speed.
+/// Force and moment about G per metre of wave amplitude, F(t) = Re{F e^{iω′t}} with the signed
+/// encounter frequency ω′ = ω_I − kU cos β, crest over the mean position of G at t = 0.
 ///   F_I = −ρg ∫ e^{kz − ik(x cos β − y sin β)} n_j dS, evaluated directly each time   [M03] 5.8
-///   F_D = Σ_i b_j,i(ω) v_i(ω, β), adjoint vectors interpolated in ω, v exact      theory: adjoint
-/// Force and moment about G per metre of wave amplitude, crest over the mean position of G at t =
-/// 0. Of a database without adjoint vectors (a plain BEMIO file) the stored table is interpolated:
-/// cubic in ω, linear in β; F_I and F_D are then only as separate as the file has them. Immutable
-/// after construction; any thread may read. `at` costs O(panels); use it at load.
+///   F_D = ω′F^ω + U F^U = ρ∫(iω′φ_D − U ∂φ_D/∂x) n_j dS                         [M03] (88)-(91)
+///   F^ω_j = Σ_i b_j,i(ω_e) v_i,  F^U_j = Σ_i b^x_j,i(ω_e) v_i      v = −∂φ_I/∂n exact, b interpolated
+/// Of ω_I and β only v depends, of U only ω_e = |ω′|. Tuck's form has F^U_5 = iF^ω_3,
+/// F^U_6 = −iF^ω_2, others 0. A ship that overtakes the waves, ω′ < 0, sees their mirror image in
+/// time: ψ solved at ω_e from v* gives
+///   F_D = conj[ω_e F^ω(v*) + U F^U(v*)]
+/// and at ω′ = 0 both give U F^U of the rigid free surface: F_D is continuous there.
+///
+/// A database without adjoint vectors is read from its DiffractionTable at one of the table's own
+/// speeds, or at U = 0 (a plain BEMIO file) from its table of F_I and F_D: cubic in ω_I, linear in β;
+/// of the latter F_I and F_D are only as separate as the file has them. Immutable after construction;
+/// any thread may read. `at` costs O(panels); use it at load.
 class WaveExcitation {
  public:
   struct Force {
@@ -20,18 +32,26 @@ class WaveExcitation {
   };
 
   /// @param coefficients must outlive this object.
-  explicit WaveExcitation(const Coefficients& coefficients);
+  /// @param form  of the forward-speed terms; absent: the database's own.
+  explicit WaveExcitation(const Coefficients& coefficients,
+                          std::optional<ForwardSpeedForm> form = {});
 
-  /// @param omega ω_I [rad/s], 0 < ω ≤ the database's last frequency. Below its first one F_D falls
-  ///              as ω², its limit for long waves (a table without adjoint vectors is held there).
-  /// @param heading β [rad], any.
-  /// @throws HydroError ValueOutOfRange, DatabaseIncomplete (no excitation in the file).
-  Force at(double omega, double heading) const;
+  /// @param omegaI ω_I [rad/s], 0 < ω_I ≤ the database's last frequency, whose waves the panels are
+  ///               made for. Tables are held below their first frequency.
+  /// @param heading β [rad], any.  @param speed U [m/s], any.
+  /// @throws HydroError ValueOutOfRange: ω_I; ω_e beyond the last frequency if the database holds no
+  ///         vectors for ω = ∞; a speed, heading or frequency the tables do not have.
+  ///         DatabaseIncomplete: no excitation, or none at a speed; BadArgument: a table of the other
+  ///         form.
+  Force at(double omegaI, double heading, double speed = 0.0) const;
 
  private:
-  Force fromTable(double omega, double heading) const;
+  CVec6 fromVectors(const AiryWave& wave, double speed) const;
+  CVec6 fromDiffractionTable(const AiryWave& wave, double speed) const;
+  Force fromTables(double omegaI, double heading) const;
 
   const Coefficients& coefficients_;
+  ForwardSpeedForm form_;
   PanelMesh panels_;  // the solver's
   PanelMesh faces_;   // its surface without gaps, for F_I
 };

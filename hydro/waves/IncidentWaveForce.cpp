@@ -68,13 +68,17 @@ IncidentVelocity incidentNormalVelocity(const PanelMesh& mesh, const AiryWave& w
 }
 
 CVec6 diffractionForce(const Eigen::Matrix<Complex, 6, Eigen::Dynamic>& adjoint,
-                       const PanelMesh& mesh, const AiryWave& wave, const Vec3& cog) {
-  const IncidentVelocity v = incidentNormalVelocity(mesh, wave, cog);
-  if (!mesh.symmetric) return adjoint * v.even;
+                       const IncidentVelocity& v) {
+  if (v.odd.size() == 0) return adjoint * v.even;
   CVec6 force;
   for (int mode = 0; mode < 6; ++mode)
     force[mode] = (2.0 * adjoint.row(mode) * (mode % 2 == 0 ? v.even : v.odd)).value();
   return force;
+}
+
+CVec6 diffractionForce(const Eigen::Matrix<Complex, 6, Eigen::Dynamic>& adjoint,
+                       const PanelMesh& mesh, const AiryWave& wave, const Vec3& cog) {
+  return diffractionForce(adjoint, incidentNormalVelocity(mesh, wave, cog));
 }
 
 }  // namespace cutwater

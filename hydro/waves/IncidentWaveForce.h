@@ -25,9 +25,12 @@ struct IncidentVelocity {
 IncidentVelocity incidentNormalVelocity(const PanelMesh& mesh, const AiryWave& wave,
                                         const Vec3& cog);
 
-/// F_D,j = Σ_i b_j,i v_i from the adjoint vectors of one frequency (6 × panels,
-/// Coefficients::adjoint), phase and units as froudeKrylovForce. Exactly what solving the
-/// diffraction problem anew would give.
+/// Σ_i b_j,i v_i from the adjoint vectors of one frequency (6 × panels, Coefficients::adjoint):
+/// F^ω_j of `adjoint`, F^U_j of `adjointX`; F_D = ω_e F^ω + U F^U, phase and units as
+/// froudeKrylovForce. Exactly what solving the diffraction problem anew would give.
+CVec6 diffractionForce(const Eigen::Matrix<Complex, 6, Eigen::Dynamic>& adjoint,
+                       const IncidentVelocity& velocity);
+/// The same for v of a wave.
 CVec6 diffractionForce(const Eigen::Matrix<Complex, 6, Eigen::Dynamic>& adjoint,
                        const PanelMesh& mesh, const AiryWave& wave, const Vec3& cog);
 

@@ -4,6 +4,10 @@
 
 namespace cutwater {
 
+double encounterFrequency(double omegaI, double speed, double heading, double gravity) noexcept {
+  return omegaI - omegaI * omegaI / gravity * speed * std::cos(heading);
+}
+
 Complex AiryWave::shape(const Vec3& x) const noexcept {
   const double k = waveNumber();
   const double phase = -k * (x.x() * std::cos(heading) - x.y() * std::sin(heading));

@@ -3,6 +3,12 @@
 
 namespace cutwater {
 
+/// ω′ = ω_I − kU cos β, k = ω_I²/g: the frequency at which a ship of speed U meets the wave.  [M03] (3)
+/// Negative where she overtakes it (following seas, U cos β > g/ω_I); theory for ω′ < 0 in
+/// forces/WaveExcitation.h.
+/// @param omegaI [rad/s].  @param speed U [m/s].  @param heading β [rad].  @param gravity [m/s²].
+double encounterFrequency(double omegaI, double speed, double heading, double gravity) noexcept;
+
 /// Airy wave of unit amplitude in deep water, crest at the origin of x, y at t = 0 [M03] (64)-(66):
 ///   φ_I = (i g/ω_I) e^{kz − ik(x cos β − y sin β)}
 struct AiryWave {

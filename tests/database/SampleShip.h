@@ -11,6 +11,10 @@ inline Coefficients sampleShip() {
   double x = 0.7;
   const auto next = [&x] { return x = std::fmod(x * 3.7 + 0.13, 1.9) - 0.4; };
   const auto any6 = [&] { return Mat6(Mat6::NullaryExpr([&] { return 1e6 * next(); })); };
+  const auto vectors = [&] {
+    return Coefficients::AdjointVectors(
+        Coefficients::AdjointVectors::NullaryExpr(6, 2, [&] { return Complex(next(), next()); }));
+  };
   Coefficients c;
   c.ship.name = "sample";
   c.ship.hull.vertices = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1.0 / 3.0}};
@@ -39,9 +43,17 @@ inline Coefficients sampleShip() {
     c.dampingX.push_back(any6());
     c.conditionEven.push_back(10.0 + next());
     c.conditionOdd.push_back(20.0 + next());
-    c.adjoint.push_back(Eigen::Matrix<Complex, 6, Eigen::Dynamic>::NullaryExpr(
-        6, 2, [&] { return Complex(next(), next()); }));
+    c.adjoint.push_back(vectors());
+    c.adjointX.push_back(vectors());
+    c.masked.push_back(i % 2 == 0 ? 0 : 1);
   }
+  for (auto* limit : {&c.adjointZero, &c.adjointXZero, &c.adjointInf, &c.adjointXInf})
+    *limit = vectors();
+  c.forwardSpeed = ForwardSpeedForm::Tuck;
+  c.conditionLimitEven = {{0.0, 30.0}, {1.0, 40.0}};
+  c.conditionLimitOdd = {{0.5, 50.0}};
+  c.diffractionTable = {{0.0, 5.0}, {kPi}, {0.3, 0.4, 0.6}, {}};
+  for (int i = 0; i < 6; ++i) c.diffractionTable.values.emplace_back(vectors().col(0));
   c.addedMassZero = any6();
   c.addedMassInf = any6();
   c.addedMassXZero = any6();

@@ -143,9 +143,22 @@ void expectSame(const Coefficients& a, const Coefficients& b) {
   EXPECT_TRUE(sameBits(a.diffraction, b.diffraction));
   EXPECT_TRUE(sameBits(a.conditionEven, b.conditionEven));
   EXPECT_TRUE(sameBits(a.conditionOdd, b.conditionOdd));
-  ASSERT_EQ(a.adjoint.size(), b.adjoint.size());
-  for (std::size_t i = 0; i < a.adjoint.size(); ++i) {
-    EXPECT_TRUE(sameBits(a.adjoint[i], b.adjoint[i]));
+  EXPECT_TRUE(sameBits(a.masked, b.masked));
+  EXPECT_EQ(a.conditionLimitEven, b.conditionLimitEven);
+  EXPECT_EQ(a.conditionLimitOdd, b.conditionLimitOdd);
+  EXPECT_EQ(a.forwardSpeed, b.forwardSpeed);
+  EXPECT_TRUE(sameBits(a.diffractionTable.speeds, b.diffractionTable.speeds));
+  EXPECT_TRUE(sameBits(a.diffractionTable.headings, b.diffractionTable.headings));
+  EXPECT_TRUE(sameBits(a.diffractionTable.waveOmega, b.diffractionTable.waveOmega));
+  EXPECT_TRUE(sameBits(a.diffractionTable.values, b.diffractionTable.values));
+  for (const auto list : {&Coefficients::adjoint, &Coefficients::adjointX}) {
+    ASSERT_EQ((a.*list).size(), (b.*list).size());
+    for (std::size_t i = 0; i < (a.*list).size(); ++i)
+      EXPECT_TRUE(sameBits((a.*list)[i], (b.*list)[i]));
+  }
+  for (const auto limit : {&Coefficients::adjointZero, &Coefficients::adjointXZero,
+                           &Coefficients::adjointInf, &Coefficients::adjointXInf}) {
+    EXPECT_TRUE(sameBits(a.*limit, b.*limit));
   }
 }
 
@@ -164,7 +177,13 @@ TEST_F(CoefficientsFile, HoldsAShipWithoutTheOptionalParts) {
   c.provenance.settings.clear();
   c.addedMassX.clear();
   c.dampingX.clear();
-  c.adjoint.clear();
+  for (auto* list : {&c.adjoint, &c.adjointX}) list->clear();
+  for (auto* limit : {&c.adjointZero, &c.adjointXZero, &c.adjointInf, &c.adjointXInf})
+    limit->resize(6, 0);
+  c.diffractionTable = {};
+  c.masked.clear();
+  c.conditionLimitEven.clear();
+  c.conditionLimitOdd.clear();
   c.conditionOdd.clear();
   c.headings.clear();
   c.froudeKrylov.clear();
@@ -240,8 +259,36 @@ TEST_F(CoefficientsFile, ChangedNumberIsRefusedWhereverItStands) {
 
 TEST_F(CoefficientsFile, NewerVersionIsRefused) {
   writeCoefficients(sampleShip(), path());
-  Edit(path()).version(2);
+  Edit(path()).version(3);
   EXPECT_EQ(faultOf(path()), Fault::VersionNotSupported);
+}
+
+// Its adjoint vectors held another quantity.
+TEST_F(CoefficientsFile, FirstVersionIsRefused) {
+  writeCoefficients(sampleShip(), path());
+  Edit(path()).version(1);
+  EXPECT_EQ(faultOf(path()), Fault::VersionNotSupported);
+}
+
+TEST_F(CoefficientsFile, SizesThatDoNotMatchAreRefused) {
+  const auto refused = [&](auto&& change, const char* word) {
+    Coefficients c = sampleShip();
+    change(c);
+    try {
+      writeCoefficients(c, path());
+      ADD_FAILURE() << word << " was written";
+    } catch (const HydroError& error) {
+      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+    }
+  };
+  refused([](Coefficients& c) { c.adjointX.pop_back(); }, "adjoint_x");
+  refused([](Coefficients& c) { c.adjointInf.conservativeResize(6, 1); }, "adjoint_inf");
+  refused([](Coefficients& c) { c.masked[1] = 2; }, "masked");
+  refused([](Coefficients& c) { c.masked.pop_back(); }, "masked");
+  refused([](Coefficients& c) { c.diffractionTable.values.pop_back(); }, "diffraction_table");
+  refused([](Coefficients& c) { c.diffractionTable.waveOmega[2] = 0.4; }, "wave_omega");
+  refused([](Coefficients& c) { c.conditionLimitEven[1].first = 0.0; }, "condition_limit_even");
+  refused([](Coefficients& c) { c.adjointXZero(2, 1) = Complex(0.0, HUGE_VAL); }, "adjoint_x_zero");
 }
 
 TEST_F(CoefficientsFile, MissingFileAndOtherFilesAreRefused) {

@@ -36,7 +36,7 @@ TEST(InterpolationClosedForm, CubicIsMetExactly) {
 }
 
 TEST(InterpolationConvergence, FourthOrderInFrequencyStep) {
-  const auto law = [](double w) { return std::exp(-w) * std::cos(w); };
+  const auto law = [](double w) { return w * std::exp(-w) * std::cos(w); };
   const auto error = [&](double step) {
     const Coefficients c = sampled(step, law);
     double worst = 0.0;
@@ -62,12 +62,32 @@ TEST(Interpolation, GoesThroughTheDataAndToTheLimits) {
 }
 
 TEST(Interpolation, DoesNotGuessBeyondTheData) {
-  const Coefficients c = test::sampleShip();
-  EXPECT_THROW(adjointAt(c, 0.05), HydroError);
+  Coefficients c = test::sampleShip();
+  c.adjointInf.resize(6, 0);
   EXPECT_THROW(adjointAt(c, 1.5), HydroError);
   EXPECT_THROW(addedMassAt(c, -0.1), HydroError);
   EXPECT_THROW(dampingAt(c, std::nan("")), HydroError);
   EXPECT_THROW(adjointAt(Coefficients{}, 1.0), HydroError);
+}
+
+TEST(InterpolationClosedForm, AdjointVectorsGoThroughTheirLimits) {
+  using Vectors = Coefficients::AdjointVectors;
+  const auto law = [](double w) { return 1.0 + w * (2.0 - w * (0.5 + 0.3 * w)); };
+  Coefficients c = sampled(0.25, law);
+  EXPECT_EQ(adjointAt(c, 0.0), c.adjoint.front());  // without the limit: held
+  c.adjointZero = Vectors::Constant(6, 3, Complex(law(0.0), 0.0));
+  for (double w = 0.0; w <= 0.75; w += 0.05)
+    EXPECT_NEAR(std::abs(adjointAt(c, w)(5, 2) - Complex(law(w), w)), 0.0, 1e-13);
+  c.adjointX = c.adjoint;
+  c.adjointXInf = Vectors::Constant(6, 3, Complex(7.0, 1.0));
+  EXPECT_EQ(adjointXAt(c, 0.0), c.adjoint.front());
+  const Complex last = c.adjoint.back()(0, 0), inf(7.0, 1.0);
+  EXPECT_NEAR(std::abs(adjointXAt(c, 6.0)(0, 0) - (inf + 0.25 * (last - inf))), 0.0, 1e-12);
+  EXPECT_EQ(adjointXAt(c, HUGE_VAL)(1, 1), inf);
+  // What the panels do not resolve is not used once there is a limit to go to.
+  c.resolvedOmega = 2.6;
+  const Complex resolved = c.adjoint[9](0, 0);  // ω = 2.5
+  EXPECT_NEAR(std::abs(adjointXAt(c, 5.0)(0, 0) - (inf + 0.25 * (resolved - inf))), 0.0, 1e-12);
 }
 
 TEST(ShipParticulars, MassMatrixIsThatOfTheGyradii) {

@@ -134,9 +134,96 @@ class Tables(Files):
             self.assertEqual(file.read(), call("rao", DATABASE, "--heading", "30").stdout)
 
 
+class ForwardSpeed(Files):
+    """Made with Tuck's form, which needs nothing but A, B and the adjoint vectors."""
+
+    def tuck(self, command, speed, *more):
+        return table(command, DATABASE, "--speed", str(speed), "--form", "tuck", *more)
+
+    def test_coefficients_at_speed(self):
+        rest = {(r["omega"], r["j"], r["k"]): r for r in table("coefficients", DATABASE)}
+        moving = {(r["omega"], r["j"], r["k"]): r for r in self.tuck("coefficients", 5)}
+        a33 = float(rest["0.5", "3", "3"]["A"])
+        change = float(moving["0.5", "5", "3"]["B"]) - float(rest["0.5", "5", "3"]["B"])
+        self.assertAlmostEqual(change / (-5 * a33), 1, delta=1e-6)  # nine digits of a difference
+        change = float(moving["0.5", "5", "5"]["A"]) - float(rest["0.5", "5", "5"]["A"])
+        # besides (U/w^2)(B_35 - B_53), which is the solver's asymmetry
+        self.assertAlmostEqual(change / ((5 / 0.5) ** 2 * a33), 1, delta=0.01)
+        self.assertTrue(math.isnan(float(moving["0", "5", "5"]["A"])))  # diverges
+        self.assertEqual(moving["0", "3", "3"]["A"], rest["0", "3", "3"]["A"])
+        self.assertEqual(moving["0.5", "2", "4"]["dA_dx"], rest["0.5", "2", "4"]["dA_dx"])
+
+    def test_omega_e_is_signed(self):
+        rows = self.tuck("rao", 10, "--heading", "0", "--omega", "0.4:1.6:4")
+        for row in rows:
+            omega, met = float(row["omega"]), float(row["omega_e"])
+            self.assertAlmostEqual(met, omega - 10 * omega**2 / 9.80665, delta=1e-8)
+            self.assertTrue(math.isfinite(float(row["amplitude"])))
+        self.assertLess(float(rows[-1]["omega_e"]), 0)
+
+    def test_speed_does_not_change_the_incident_wave(self):
+        rest = table("excitation", DATABASE, "--heading", "30", "--omega", "0.6:1.2:3")
+        moving = self.tuck("excitation", 7, "--heading", "30", "--omega", "0.6:1.2:3")
+        self.assertEqual([r["fk_re"] for r in rest], [r["fk_re"] for r in moving])
+        self.assertNotEqual([r["diff_re"] for r in rest], [r["diff_re"] for r in moving])
+
+    def test_standing_waves_are_nan_with_one_warning(self):
+        done = call("rao", DATABASE, "--speed", "9.80665", "--form", "tuck", "--heading", "0",
+                    "--omega", "0.99:1.01:3")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1)
+        self.assertIn("0.1 rad/s", done.stderr)
+
+    def test_reports_form_where_the_database_has_it(self):
+        names = {row["name"]: row["value"] for row in table("info", DATABASE)}
+        self.assertEqual(names["forward_speed"], "report")
+        if names["adjoint_vectors_dx"] == "1":
+            rows = table("rao", DATABASE, "--speed", "8", "--heading", "180", "--omega", "0.2:0.3:2")
+            self.assertAlmostEqual(float(rows[2]["amplitude"]), 1, delta=0.1)
+        else:
+            self.refused(["rao", DATABASE, "--speed", "8", "--heading", "180"], "frigate.h5", "speed = 8")
+
+
+class Loading(Files):
+    BEAM = ["rao", DATABASE, "--heading", "90", "--omega", "0.5:0.6:2"]
+
+    def test_a_higher_centre_of_gravity_rolls_slower(self):
+        low = table(*self.BEAM, "--cog", "-2.4044,0,-0.5")
+        high = table(*self.BEAM, "--cog", "-2.4044,0,2.5")
+        self.assertNotEqual(low[3]["amplitude"], high[3]["amplitude"])
+        same = table(*self.BEAM, "--cog", "-2.4044,0,1.29", "--gyradii", "5.82,28.8,28.8")
+        self.assertEqual(same, table(*self.BEAM))
+
+    def test_another_waterline_is_refused(self):
+        self.refused([*self.BEAM, "--mass", "1e6"], "frigate.h5", "mass = 1000000", "displaces")
+        self.refused([*self.BEAM, "--cog", "5,0,1"], "frigate.h5", "cog x = 5", "buoyancy")
+        self.refused([*self.BEAM, "--cog", "5,0"], "--cog", "5,0")
+        self.refused([*self.BEAM, "--gyradii", "5,-1,1"], "gyradii", "-1")
+
+
+class Mask(Files):
+    def test_masked_frequencies_are_interpolated_and_listed(self):
+        ship = self.path("s.toml", SHIP + """[solve]
+omega = { from = 0.4, to = 2.0, step = 0.4 }
+wave_omega = [0.5, 1.0]
+condition_limit_even = [[1.1, 1e12], [1.19, 1.0], [1.21, 1.0], [1.3, 1e12]]
+""")
+        database = self.path("mask.h5")
+        done = call("solve", ship, "-o", database)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("1 of 5 frequencies masked", done.stderr)
+        names = {row["name"]: row["value"] for row in table("info", database)}
+        self.assertEqual(names["masked_frequencies"], "1")
+        self.assertEqual(names["masked_omega"], "1.2")
+        nothing = self.path("n.toml", SHIP + "[solve]\nomega = [0.5, 1.0]\nwave_omega = 0.5\n"
+                            "condition_limit_even = [[1.0, 1.0]]\n")
+        self.refused(["solve", nothing, "-o", self.path("n.h5")], "n.toml", "0 of 2")
+
+
 class Errors(Files):
     def test_usage_exits_two(self):
-        for arguments in ([], ["nonsense"], ["solve"], ["rao", DATABASE], ["sweep", "--threads", "-3", "x"]):
+        for arguments in ([], ["nonsense"], ["solve"], ["rao", DATABASE], ["sweep", "--threads", "-3", "x"],
+                          ["coefficients", DATABASE, "--form", "strip"]):
             self.assertEqual(call(*arguments).returncode, 2, arguments)
 
     def test_help_and_version_exit_zero(self):
@@ -158,7 +245,14 @@ class Errors(Files):
             (SHIP + "mass = nan\n", ["mass", "nan"]),
             (SHIP + "[water]\ndensity = \"salt\"\n", ["density", "salt", "number"]),
             (SHIP + "[solve]\nomega = [0.2, 0.1]\n", ["omega", "increase"]),
-            (SHIP + "[solve]\nspeeds = [5.0]\n", ["speeds", "version"]),
+            (SHIP + "[solve]\nspeeds = [-5.0]\n", ["speeds", "-5"]),
+            (SHIP + "[solve]\nsource_points = 3\n", ["source_points", "3", "auto"]),
+            (SHIP + "[solve]\ngalerkin_points = \"auto\"\n", ["galerkin_points", "auto"]),
+            (SHIP + "[solve]\ninfluence = \"matrix\"\n", ["influence", "matrix", "interpolated"]),
+            (SHIP + "[solve]\nderivatives = \"source\"\n", ["derivatives", "formulation"]),
+            (SHIP + "[solve]\nforward_speed = \"strip\"\n", ["forward_speed", "strip", "tuck"]),
+            (SHIP + "[solve]\ncondition_limit_odd = [1, 2]\n", ["condition_limit_odd", "pairs"]),
+            (SHIP + "[solve]\ncondition_limit_even = [[1, 9], [1, 9]]\n", ["condition_limit_even", "increase"]),
             (SHIP.replace("[mass]", "unit = \"mile\"\n[mass]"), ["unit", "mile"]),
             (SHIP.replace("frigate_224.obj", "missing.obj"), ["missing.obj"]),
             ("[hull\n", ["line"]),
@@ -169,7 +263,7 @@ class Errors(Files):
             (RUN.replace("regular", "tsunami"), ["type", "tsunami"]),
             (RUN.replace("duration = 4.0", "dt = 0"), ["dt", "0"]),
             (RUN.replace("database", "data"), ["database", "missing"]),
-            (RUN.replace("0.8", "9.0"), ["9.0"]),
+            (RUN.replace("0.8", "9.0"), ["omega = 9 rad/s"]),
         ):
             self.refused(["simulate", self.path("r.toml", text)], *words)
 
@@ -194,7 +288,8 @@ class Errors(Files):
         for bad in ("1", "1:2", "a:b:c", "2:1:5", "0:1:5", "0.1:1:0", "0.1:1:2.5"):
             self.refused(["rao", DATABASE, "--heading", "0", "--omega", bad], "--omega", bad)
         self.refused(["rao", DATABASE, "--heading", "0", "--omega", "5:9:2"], "9")
-        self.refused(["rao", DATABASE, "--heading", "0", "--speed", "3"], "speed", "3")
+        self.refused(["rao", DATABASE, "--heading", "0", "--speed", "-3"], "speed", "-3")
+        self.refused(["coefficients", DATABASE, "--speed", "nan"], "speed", "nan")
 
 
 unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include "hydro/Errors.h"
+#include "hydro/database/CutwaterGroup.h"
+
+namespace cutwater {
+
+namespace {
+
+class Check {
+ public:
+  Check(const Coefficients& c, const std::string& where) : c_(c), where_(where) {}
+
+  void increasing(const char* name, const std::vector<double>& values, double above) const {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (values[i] > (i == 0 ? above : values[i - 1])) continue;
+      throw HydroError(Fault::FrequenciesNotIncreasing,
+                       fmt::format("{}: {}[{}] = {} rad/s", where_, name, i, values[i]));
+    }
+  }
+
+  void sizes() const {
+    const std::size_t n = c_.omega.size();
+    if (n == 0) throw HydroError(Fault::DatabaseIncomplete, where_ + ": no frequencies");
+    expect("added_mass", c_.addedMass.size(), n);
+    expect("damping", c_.damping.size(), n);
+    optional("added_mass_x", c_.addedMassX.size(), n);
+    optional("damping_x", c_.dampingX.size(), n);
+    optional("condition_even", c_.conditionEven.size(), n);
+    optional("condition_odd", c_.conditionOdd.size(), n);
+    optional("masked", c_.masked.size(), n);
+    for (const auto* part : {&c_.froudeKrylov, &c_.diffraction}) {
+      const char* name = part == &c_.diffraction ? "diffraction" : "froude_krylov";
+      expect(name, part->size(), c_.headings.size());
+      for (const auto& heading : *part) expect(name, heading.size(), n);
+    }
+  }
+
+  void adjoints() const {
+    const std::size_t n = c_.omega.size(), panels = c_.ship.wetSurface.faces.size();
+    optional("adjoint", c_.adjoint.size(), n);
+    optional("adjoint_x", c_.adjointX.size(), n);
+    const auto columns = [](const Coefficients::AdjointVectors& b) {
+      return static_cast<std::size_t>(b.cols());
+    };
+    for (const auto& b : c_.adjoint) expect("adjoint", columns(b), panels);
+    for (const auto& b : c_.adjointX) expect("adjoint_x", columns(b), panels);
+    optional("adjoint_zero", columns(c_.adjointZero), panels);
+    optional("adjoint_x_zero", columns(c_.adjointXZero), panels);
+    optional("adjoint_inf", columns(c_.adjointInf), panels);
+    optional("adjoint_x_inf", columns(c_.adjointXInf), panels);
+  }
+
+  void table() const {
+    const DiffractionTable& t = c_.diffractionTable;
+    expect("diffraction_table/values", t.values.size(),
+           t.speeds.size() * t.headings.size() * t.waveOmega.size());
+    increasing("diffraction_table/wave_omega", t.waveOmega, 0.0);
+  }
+
+  void mask() const {
+    for (std::size_t i = 0; i < c_.masked.size(); ++i) {
+      if (c_.masked[i] == 0 || c_.masked[i] == 1) continue;
+      throw HydroError(Fault::ValueOutOfRange,
+                       fmt::format("{}: masked[{}] = {}, must be 0 or 1", where_, i, c_.masked[i]));
+    }
+    for (const auto* envelope : {&c_.conditionLimitEven, &c_.conditionLimitOdd}) {
+      std::vector<double> omega;
+      for (const auto& point : *envelope) omega.push_back(point.first);
+      increasing(envelope == &c_.conditionLimitOdd ? "condition_limit_odd" : "condition_limit_even",
+                 omega, -1.0);
+    }
+  }
+
+  void mesh(const SurfaceMesh& mesh, const char* name) const {
+    const auto count = static_cast<int>(mesh.vertices.size());
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      for (std::size_t i = 0; i < 4; ++i) {
+        const int v = mesh.faces[f].v[i];
+        if ((v >= 0 && v < count) || (i == 3 && v == -1)) continue;
+        throw HydroError(
+            Fault::MeshIndexOutOfRange,
+            fmt::format("{}: {}: face {} names vertex {} of {}", where_, name, f, v, count));
+      }
+    }
+  }
+
+ private:
+  void expect(const char* name, std::size_t found, std::size_t expected) const {
+    if (found == expected) return;
+    throw HydroError(Fault::DatabaseIncomplete, fmt::format("{}: {} has {} entries, {} expected",
+                                                            where_, name, found, expected));
+  }
+  void optional(const char* name, std::size_t found, std::size_t expected) const {
+    if (found != 0) expect(name, found, expected);
+  }
+
+  const Coefficients& c_;
+  const std::string& where_;
+};
+
+}  // namespace
+
+void checkCoefficients(const Coefficients& c, const std::string& where) {
+  checkFinite(c, where);
+  const Check check(c, where);
+  check.increasing("omega", c.omega, 0.0);
+  check.sizes();
+  check.adjoints();
+  check.table();
+  check.mask();
+  check.mesh(c.ship.hull, "hull");
+  check.mesh(c.ship.wetSurface, "wet surface");
+  if (!(c.ship.density > 0.0 && c.ship.gravity > 0.0)) {
+    throw HydroError(Fault::ValueOutOfRange,
+                     fmt::format("{}: density {} kg/m3 and gravity {} m/s2 must be > 0", where,
+                                 c.ship.density, c.ship.gravity));
+  }
+}
+
+}  // namespace cutwater

@@ -1,0 +1,140 @@
+#include "hydro/database/IrregularFrequencies.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hydro/Errors.h"
+#include "hydro/database/Interpolation.h"
+#include "hydro/waves/IncidentWaveForce.h"
+
+namespace cutwater {
+
+namespace {
+
+using Envelope = std::vector<std::pair<double, double>>;
+
+void checkEnvelope(const char* name, const Envelope& envelope) {
+  for (std::size_t i = 0; i < envelope.size(); ++i) {
+    const auto [omega, limit] = envelope[i];
+    if (!(omega >= 0.0) || !std::isfinite(omega) || !(limit > 0.0)) {
+      throw HydroError(
+          Fault::ValueOutOfRange,
+          fmt::format("applyMask: {}[{}] = [{}, {}]: omega >= 0 and a limit > 0 are needed", name,
+                      i, omega, limit));
+    }
+    if (i > 0 && omega <= envelope[i - 1].first) {
+      throw HydroError(Fault::FrequenciesNotIncreasing,
+                       fmt::format("applyMask: {}[{}]: omega = {} rad/s after {}", name, i, omega,
+                                   envelope[i - 1].first));
+    }
+  }
+}
+
+/// The coefficients of the frequencies that are not masked.
+Coefficients regularPart(const Coefficients& c) {
+  Coefficients good = c;
+  good.resolvedOmega = 0.0;  // nothing here is to be cut off
+  const auto keep = [&](auto& list) {
+    if (list.empty()) return;
+    std::size_t to = 0;
+    for (std::size_t i = 0; i < c.masked.size(); ++i) {
+      if (c.masked[i] == 0) list[to++] = list[i];
+    }
+    list.resize(to);
+  };
+  keep(good.omega);
+  for (auto* list : {&good.addedMass, &good.damping, &good.addedMassX, &good.dampingX}) keep(*list);
+  for (auto* list : {&good.adjoint, &good.adjointX}) keep(*list);
+  for (auto& heading : good.diffraction) keep(heading);
+  return good;
+}
+
+CVec6 interpolated(const std::vector<double>& omega, const std::vector<CVec6>& force, double at) {
+  const LocalCubic local = localCubic(omega, std::clamp(at, omega.front(), omega.back()));
+  CVec6 sum = CVec6::Zero();
+  for (std::size_t n = 0; n < local.count; ++n) sum += local.weight[n] * force[local.first + n];
+  return sum;
+}
+
+void fillRadiation(Coefficients& c, const Coefficients& good, std::size_t i) {
+  const double omega = c.omega[i];
+  c.addedMass[i] = addedMassAt(good, omega);
+  c.damping[i] = dampingAt(good, omega);
+  if (!c.addedMassX.empty()) c.addedMassX[i] = addedMassXAt(good, omega);
+  if (!c.dampingX.empty()) c.dampingX[i] = dampingXAt(good, omega);
+  const double last = good.omega.back();
+  const auto held = [&](const Coefficients::AdjointVectors& inf) {
+    return inf.cols() > 0 ? omega : std::min(omega, last);
+  };
+  if (!c.adjoint.empty()) c.adjoint[i] = adjointAt(good, held(c.adjointInf));
+  if (!c.adjointX.empty()) c.adjointX[i] = adjointXAt(good, held(c.adjointXInf));
+}
+
+void fillDiffraction(Coefficients& c, const Coefficients& good, std::size_t i,
+                     const PanelMesh& panels) {
+  const double omega = c.omega[i];
+  for (std::size_t h = 0; h < c.diffraction.size(); ++h) {
+    const AiryWave wave{omega, c.headings[h], c.ship.gravity};
+    c.diffraction[h][i] =
+        panels.panels.empty()
+            ? interpolated(good.omega, good.diffraction[h], omega)
+            : CVec6(omega * diffractionForce(c.adjoint[i], panels, wave, c.ship.cog));
+  }
+}
+
+}  // namespace
+
+double conditionLimitAt(const Envelope& envelope, double omega) {
+  if (envelope.empty()) return std::numeric_limits<double>::infinity();
+  const auto above = std::upper_bound(envelope.begin(), envelope.end(), omega,
+                                      [](double x, const auto& point) { return x < point.first; });
+  if (above == envelope.begin()) return envelope.front().second;
+  if (above == envelope.end()) return envelope.back().second;
+  const auto &left = *(above - 1), &right = *above;
+  const double share = (omega - left.first) / (right.first - left.first);
+  return left.second + share * (right.second - left.second);
+}
+
+std::vector<int> irregularFrequencies(const Coefficients& c) {
+  checkEnvelope("condition_limit_even", c.conditionLimitEven);
+  checkEnvelope("condition_limit_odd", c.conditionLimitOdd);
+  if (c.conditionLimitEven.empty() && c.conditionLimitOdd.empty()) return c.masked;
+  std::vector<int> masked(c.omega.size(), 0);
+  const auto mark = [&](const std::vector<double>& condition, const Envelope& envelope) {
+    for (std::size_t i = 0; i < condition.size(); ++i) {
+      if (!(condition[i] <= conditionLimitAt(envelope, c.omega[i]))) masked[i] = 1;
+    }
+  };
+  mark(c.conditionEven, c.conditionLimitEven);
+  mark(c.conditionOdd, c.conditionLimitOdd);
+  return masked;
+}
+
+Coefficients applyMask(Coefficients c) {
+  c.masked = irregularFrequencies(c);
+  const auto count = std::count(c.masked.begin(), c.masked.end(), 1);
+  if (count == 0) return c;
+  const auto left = static_cast<std::ptrdiff_t>(c.omega.size()) - count;
+  if (left < 2) {
+    throw HydroError(Fault::DatabaseIncomplete,
+                     fmt::format("applyMask: the condition limits leave {} of {} frequencies, at "
+                                 "least 2 are needed",
+                                 left, c.omega.size()));
+  }
+  const Coefficients good = regularPart(c);
+  PanelMesh panels;
+  if (!c.adjoint.empty() && !c.ship.wetSurface.faces.empty()) {
+    panels = makePanels(c.ship.wetSurface, c.ship.symmetric);
+  }
+  for (std::size_t i = 0; i < c.omega.size(); ++i) {
+    if (c.masked[i] == 0) continue;
+    fillRadiation(c, good, i);
+    fillDiffraction(c, good, i, panels);
+  }
+  return c;
+}
+
+}  // namespace cutwater
