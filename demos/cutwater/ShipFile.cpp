@@ -124,6 +124,7 @@ void readMethods(TomlSection& solve, SolveSettings& settings) {
                               settings.influence);
   settings.sourcePoints = points(solve, "source_points", settings.sourcePoints, true);
   settings.galerkinPoints = points(solve, "galerkin_points", settings.galerkinPoints, false);
+  settings.curvedPanels = solve.boolean("curved_panels", settings.curvedPanels);
   settings.lid = solve.boolean("lid", settings.lid);
   settings.conditionLimitEven = conditionLimit(solve, "condition_limit_even");
   settings.conditionLimitOdd = conditionLimit(solve, "condition_limit_odd");

@@ -12,8 +12,8 @@ using ConditionLimit = std::vector<std::pair<double, double>>;
 
 /// What to solve for. Plain data; the defaults suit any ship.
 struct SolveSettings {
-  std::vector<double> omega;     ///< ω_e [rad/s]: finite, > 0, strictly increasing
-  std::vector<double> headings;  ///< β [rad] for the excitation tables; may be empty
+  std::vector<double> omega;      ///< ω_e [rad/s]: finite, > 0, strictly increasing
+  std::vector<double> headings;   ///< β [rad] for the excitation tables; may be empty
   std::vector<double> waveOmega;  ///< ω_I [rad/s] for `Coefficients::diffractionTable`
   std::vector<double> speeds;     ///< U [m/s] ≥ 0 for the same
   Formulation formulation = Formulation::Potential;
@@ -21,8 +21,9 @@ struct SolveSettings {
   ForwardSpeedForm forwardSpeed = ForwardSpeedForm::Report;
   int sourcePoints = 0;    ///< Gauss points of the wave term on a source panel: 1, 4, 9; 0: by ω
   int galerkinPoints = 4;  ///< points of a field panel that share its equation: 1, 4, 9
-  bool curvedPanels = false;  ///< panels moved out to the surface through the vertices (SolverPanels.h)
-  bool lid = true;              ///< lid panels on the interior waterplane: no irregular frequencies
+  bool curvedPanels =
+      false;        ///< panels moved out to the surface through the vertices (SolverPanels.h)
+  bool lid = true;  ///< lid panels on the interior waterplane: no irregular frequencies
   double lidPanelLength = 0.0;  ///< [m]; 0: as the hull's panels along the waterline
   bool xDerivatives = true;     ///< ∂A, ∂B, and adjoint vectors of ∂φ/∂x
   /// Anything but Adjoint fills `Coefficients::diffractionTable` for speeds × headings × waveOmega

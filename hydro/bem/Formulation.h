@@ -11,7 +11,7 @@ enum class Formulation {
 /// How ∂φ/∂x comes from the solution.
 enum class Derivatives {
   Stokes,  ///< Stokes' theorem on each panel (XDerivative.h)
-  Source   ///< ∂φ/∂x = Hσ, the report's; with Formulation::Source only         [M03] (51)-(54)
+  Source  ///< ∂φ/∂x = Hσ, the report's; with Formulation::Source only         [M03] (51)-(54)
 };
 
 /// How diffraction forces off the frequency grid are had.

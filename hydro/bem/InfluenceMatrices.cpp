@@ -149,8 +149,7 @@ void InfluenceMatrices::addFarWaves(double K, int all, Systems& systems) const {
 void InfluenceMatrices::addFarPair(const Pair& pair, double K, Systems& systems) const {
   const Pair back{pair.source, pair.field, pair.mirrored};
   const auto apart = [&](const Pair& p) -> Vec3 {
-    return pairs_.panel(p.source).centroid -
-           imageInY(pairs_.panel(p.field).centroid, p.mirrored);
+    return pairs_.panel(p.source).centroid - imageInY(pairs_.panel(p.field).centroid, p.mirrored);
   };
   const Vec3 d = apart(pair);
   const double h = std::sqrt(d.x() * d.x() + d.y() * d.y()), perH = h > 0.0 ? 1.0 / h : 0.0;
@@ -166,8 +165,8 @@ void InfluenceMatrices::addFarPair(const Pair& pair, double K, Systems& systems)
     const RankineMatrices::Image image = rankine_.imageOf(p);
     const auto derivative = [&](const Vec3& e, double exact) {
       const double towards = (e.x() * between.x() + e.y() * between.y()) * perH, up = e.z();
-      return area * (towards * w.slope - up * w.rise -
-                     share * (towards * h - up * depth) * perCube) -
+      return area *
+                 (towards * w.slope - up * w.rise - share * (towards * h - up * depth) * perCube) -
              share * exact;
     };
     const Complex value = area * (w.value + share * perR1) - share * image.potential;

@@ -32,8 +32,7 @@ void addSubdivided(const Vec3& x, const Vec3& along, const Panel& source, int de
     for (const Panel& part : quarters(source)) addSubdivided(x, along, part, depth - 1, sum);
     return;
   }
-  for (const QuadraturePoint& point : panelQuadrature(source, 4))
-    addLog(x, along, point, sum);
+  for (const QuadraturePoint& point : panelQuadrature(source, 4)) addLog(x, along, point, sum);
 }
 
 }  // namespace
@@ -94,7 +93,7 @@ WaveIntegral nearWave(const Vec3& x, const NearImage& image, const Vec3& along,
     smoothHorizontal += towards * (w.FX + 2.0 * X / (R * (R + Y)));
     rest += point.weight * (w.F + 2.0 / R);
     restAlong += towards * (w.FX - 2.0 * X / (R * R * R)) -
-                  point.weight * along.z() * (w.FY - 2.0 * Y / (R * R * R));
+                 point.weight * along.z() * (w.FY - 2.0 * Y / (R * R * R));
     oscillation += point.weight * w.J0;
     oscillationX += towards * w.J1;
   }

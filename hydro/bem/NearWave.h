@@ -9,11 +9,11 @@ namespace cutwater {
 /// The singular part of the wave term over one source panel, seen from field point x; with ρ = R₁ +
 /// |z + ζ|, R₁ the distance to the mirror image of x in z = 0. None depends on frequency.
 struct NearImage {
-  double log = 0.0;            ///< ∫ ln ρ dS [m² ln m]
-  double inverse = 0.0;        ///< ∫ 1/R₁ dS [m]
-  double inverseAlong = 0.0;   ///< ∫ e·∇_ξ (1/R₁) dS [–], e the direction of the derivative
-  double distance = 0.0;       ///< R₁ of the centroid [m]
-  double logAlong = 0.0;       ///< ∫ e_h·∇_ξ ln ρ dS [m], e_h the horizontal part of e
+  double log = 0.0;           ///< ∫ ln ρ dS [m² ln m]
+  double inverse = 0.0;       ///< ∫ 1/R₁ dS [m]
+  double inverseAlong = 0.0;  ///< ∫ e·∇_ξ (1/R₁) dS [–], e the direction of the derivative
+  double distance = 0.0;      ///< R₁ of the centroid [m]
+  double logAlong = 0.0;      ///< ∫ e_h·∇_ξ ln ρ dS [m], e_h the horizontal part of e
 };
 
 /// Exact where x and the panel are both on z = 0; else `log` and `logAlong` by Gauss points on
@@ -35,7 +35,6 @@ struct WavePoint {
   Complex slope;  ///< ∂g by the horizontal distance [1/m²]
   Complex rise;   ///< −∂g/∂ζ [1/m²]
 };
-
 
 /// Share w of −2/R₁ taken out of K F and integrated exactly: 0 in long waves, 1 in short ones. Half
 /// at R = 4, where F + 2/R has become smooth on a panel as near as it is long.

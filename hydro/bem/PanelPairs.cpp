@@ -50,8 +50,7 @@ PanelPairs::PanelPairs(PanelMesh mesh, const InfluenceSettings& settings)
                                               : perSide("source_points", settings.sourcePoints)),
       panels_(mesh_.panels) {
   if (settings.xDerivative && !isSource())
-    throw HydroError(Fault::BadArgument,
-                     "derivatives = \"source\" needs formulation = \"source\"");
+    throw HydroError(Fault::BadArgument, "derivatives = \"source\" needs formulation = \"source\"");
   panels_.insert(panels_.end(), mesh_.lid.begin(), mesh_.lid.end());
   for (const Panel& panel : panels_) {
     size_.push_back(diameter(panel));
@@ -70,8 +69,8 @@ Vec3 PanelPairs::direction(const Pair& pair) const {
 }
 
 bool PanelPairs::isNear(const Pair& pair) const {
-  const Vec3 apart = imageInZ(imageInY(panel(pair.field).centroid, pair.mirrored)) -
-                     panel(pair.source).centroid;
+  const Vec3 apart =
+      imageInZ(imageInY(panel(pair.field).centroid, pair.mirrored)) - panel(pair.source).centroid;
   const double reach = kNearRatio * std::max(size(pair.field), size(pair.source));
   return apart.squaredNorm() < reach * reach;
 }
@@ -79,8 +78,9 @@ bool PanelPairs::isNear(const Pair& pair) const {
 int PanelPairs::pointsPerSide(int from, int panel, double K) const {
   if (fixedPoints_ > 0) return fixedPoints_;
   const double theta = 0.5 * K * size(panel);
-  double error = std::exp(0.5 * K * (panels_[static_cast<std::size_t>(from)].centroid.z() +
-                                     top_[static_cast<std::size_t>(panel)]));
+  double error = std::exp(0.5 * K *
+                          (panels_[static_cast<std::size_t>(from)].centroid.z() +
+                           top_[static_cast<std::size_t>(panel)]));
   for (int n = 1; n < kMostPoints; ++n) {
     error *= theta * theta;
     if (error * kGaussError[static_cast<std::size_t>(n - 1)] < kWaveError) return n;

@@ -77,7 +77,8 @@ class PanelPairs {
   std::vector<double> size_;   // diameter of each panel [m]
   std::vector<double> top_;    // highest z of each panel [m]
   std::vector<std::array<std::vector<QuadraturePoint>, kMostPoints>> points_;
-  std::vector<std::vector<QuadraturePoint>> centroid_;  // one point each; a triangle's rule has three
+  std::vector<std::vector<QuadraturePoint>>
+      centroid_;  // one point each; a triangle's rule has three
 };
 
 inline Vec3 imageInY(const Vec3& x, bool mirrored) {

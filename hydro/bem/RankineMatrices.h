@@ -15,7 +15,7 @@ struct RankineParts {
 /// One pair whose free-surface image is near, with the singular part of its wave term.
 struct NearPair {
   Pair pair;
-  NearImage image;  ///< along PanelPairs::direction
+  NearImage image;   ///< along PanelPairs::direction
   NearImage alongX;  ///< along −x of the source, +x of the field; of no meaning without H
 };
 

@@ -60,8 +60,7 @@ Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> xIntegrals(
     const SymmetricSystem<Scalar>& system, const ModeNormals& normals, const XDerivative& stokes,
     Parity parity, const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& v,
     const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& phi) {
-  if (system.hasXDerivative())
-    return normals.area.asDiagonal() * system.xDerivatives(parity, v);
+  if (system.hasXDerivative()) return normals.area.asDiagonal() * system.xDerivatives(parity, v);
   const Eigen::VectorXd projected = normals.area.cwiseProduct(normals.n.col(Surge));
   return projected.asDiagonal() * v + stokes.stokes(parity).cast<Scalar>() * phi;
 }
@@ -76,23 +75,25 @@ Eigen::Matrix<Scalar, 6, 6> impulseMatrixX(const SymmetricSystem<Scalar>& system
   for (const Parity parity : normals.parities()) {
     const std::vector<int> modes = normals.modes(parity);
     const Eigen::MatrixXd n = normals.of(parity);
-    Z(modes, modes) =
-        -density * sides * n.transpose() *
-        xIntegrals<Scalar>(system, normals, stokes, parity, n.template cast<Scalar>(),
-                           potentials[static_cast<std::size_t>(parity)]);
+    Z(modes, modes) = -density * sides * n.transpose() *
+                      xIntegrals<Scalar>(system, normals, stokes, parity, n.template cast<Scalar>(),
+                                         potentials[static_cast<std::size_t>(parity)]);
   }
   return Z;
 }
 
-template Eigen::MatrixXd xIntegrals(const SymmetricSystem<double>&, const ModeNormals&, const XDerivative&, Parity,
-                         const Eigen::MatrixXd&, const Eigen::MatrixXd&);
+template Eigen::MatrixXd xIntegrals(const SymmetricSystem<double>&, const ModeNormals&,
+                                    const XDerivative&, Parity, const Eigen::MatrixXd&,
+                                    const Eigen::MatrixXd&);
 template Eigen::Matrix<double, 6, 6> impulseMatrixX(const SymmetricSystem<double>&,
-                                                 const ModePotentials<double>&, const ModeNormals&,
-                                                 const XDerivative&, double);
-template Eigen::MatrixXcd xIntegrals(const SymmetricSystem<Complex>&, const ModeNormals&, const XDerivative&, Parity,
-                         const Eigen::MatrixXcd&, const Eigen::MatrixXcd&);
+                                                    const ModePotentials<double>&,
+                                                    const ModeNormals&, const XDerivative&, double);
+template Eigen::MatrixXcd xIntegrals(const SymmetricSystem<Complex>&, const ModeNormals&,
+                                     const XDerivative&, Parity, const Eigen::MatrixXcd&,
+                                     const Eigen::MatrixXcd&);
 template Eigen::Matrix<Complex, 6, 6> impulseMatrixX(const SymmetricSystem<Complex>&,
-                                                 const ModePotentials<Complex>&, const ModeNormals&,
-                                                 const XDerivative&, double);
+                                                     const ModePotentials<Complex>&,
+                                                     const ModeNormals&, const XDerivative&,
+                                                     double);
 
 }  // namespace cutwater

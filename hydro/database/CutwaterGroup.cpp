@@ -215,6 +215,7 @@ void transfer(Store&& store, C& c) {
   store("adjoint_inf", c.adjointInf);
   store("adjoint_x_inf", c.adjointXInf);
   store("forward_speed", c.forwardSpeed);
+  store("curved_panels", c.curvedPanels);
   store("diffraction_table/speeds", c.diffractionTable.speeds);
   store("diffraction_table/headings", c.diffractionTable.headings);
   store("diffraction_table/wave_omega", c.diffractionTable.waveOmega);

@@ -9,6 +9,7 @@
 #include "hydro/Errors.h"
 #include "hydro/database/Interpolation.h"
 #include "hydro/waves/IncidentWaveForce.h"
+#include "hydro/geometry/SolverPanels.h"
 
 namespace cutwater {
 
@@ -127,7 +128,7 @@ Coefficients applyMask(Coefficients c) {
   const Coefficients good = regularPart(c);
   PanelMesh panels;
   if (!c.adjoint.empty() && !c.ship.wetSurface.faces.empty()) {
-    panels = makePanels(c.ship.wetSurface, c.ship.symmetric);
+    panels = solverPanels(c.ship.wetSurface, c.ship.symmetric, c.curvedPanels);
   }
   for (std::size_t i = 0; i < c.omega.size(); ++i) {
     if (c.masked[i] == 0) continue;

@@ -8,6 +8,7 @@
 #include "hydro/Errors.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/database/Interpolation.h"
+#include "hydro/geometry/SolverPanels.h"
 
 namespace cutwater {
 
@@ -87,7 +88,7 @@ WaveExcitation::WaveExcitation(const Coefficients& coefficients,
     : coefficients_(coefficients), form_(form.value_or(coefficients.forwardSpeed)) {
   if (!coefficients.ship.wetSurface.faces.empty()) {
     const ShipParticulars& ship = coefficients.ship;
-    panels_ = makePanels(ship.wetSurface, ship.symmetric);
+    panels_ = solverPanels(ship.wetSurface, ship.symmetric, coefficients.curvedPanels);
     faces_ = makePanels(triangulated(ship.wetSurface), ship.symmetric);
   }
 }

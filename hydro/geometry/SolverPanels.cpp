@@ -10,11 +10,12 @@
 namespace cutwater {
 namespace {
 
-constexpr double kCrease = 0.866;           // cos 30°
-constexpr double kOwnWeight = 10.0;         // of the face's own corners in the fit
-constexpr double kPoor = 0.7, kGood = 0.9;  // share of the curvature explained: none of it used, all
-constexpr double kMost = 0.1;               // of the diameter: a greater δ is not believed
-constexpr double kSteepEnough = 0.25;       // n_h² of a panel at calm water that may be moved
+constexpr double kCrease = 0.866;    // cos 30°
+constexpr double kOwnWeight = 10.0;  // of the face's own corners in the fit
+constexpr double kPoor = 0.7,
+                 kGood = 0.9;          // share of the curvature explained: none of it used, all
+constexpr double kMost = 0.1;          // of the diameter: a greater δ is not believed
+constexpr double kSteepEnough = 0.25;  // n_h² of a panel at calm water that may be moved
 
 /// Height over a panel's plane: c + g·s + ½ sᵀQs, s in the plane from the centroid [m].
 struct Paraboloid {

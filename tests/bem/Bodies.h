@@ -29,6 +29,12 @@ inline SymmetricSystem<double> systemAt(const InfluenceMatrices& matrices, Frequ
   return {std::move(pairs), matrices.parities()};
 }
 
+/// F_D at U = 0, crest over G.
+inline CVec6 solvedDiffraction(const SymmetricSystem<Complex>& system, const ModeNormals& normals,
+                               const IncidentVelocity& v, double omega, double density) {
+  return omega * diffraction(system, normals, std::vector{v}, density).front().omega;
+}
+
 /// Z = A − iB/ω of unit density: real part added mass, imaginary part −B/ω.
 template <typename Where>
 auto impulse(const InfluenceMatrices& matrices, const ModeNormals& normals, Where where) {

@@ -47,7 +47,8 @@ class Hulme {
 
 /// Worst fraction over the table's rows with from ≤ Ka ≤ to.
 Curves worst(const Hulme& hulme, int around, int down, bool lid, double from, double to) {
-  const InfluenceMatrices matrices(panels(wetHemisphere(1.0, around, down), true, lid), 2);
+  const InfluenceMatrices matrices(panels(wetHemisphere(1.0, around, down), true, lid),
+                                   {.threads = 2});
   const ModeNormals normals(matrices.mesh(), Vec3::Zero());
   Curves most{};
   for (std::size_t i = 0; i < hulme.rows(); ++i) {
@@ -135,15 +136,15 @@ double worstDamping(const Hulme& hulme, const InfluenceMatrices& matrices, doubl
 // at 2.58.
 TEST(HemisphereVerification, LidLeavesNoIrregularFrequencyUpToKa9) {
   const Hulme hulme;
-  const InfluenceMatrices lidded(panels(wetHemisphere(1.0, 14, 8), true, true), 2);
+  const InfluenceMatrices lidded(panels(wetHemisphere(1.0, 14, 8), true, true), {.threads = 2});
   EXPECT_LT(worstDamping(hulme, lidded, 2.5, 2.7, 0.02), 0.04);
   EXPECT_LT(worstDamping(hulme, lidded, 2.7, 9.0, 0.3), 0.04);
-  const InfluenceMatrices open(panels(wetHemisphere(1.0, 14, 8), true, false), 2);
+  const InfluenceMatrices open(panels(wetHemisphere(1.0, 14, 8), true, false), {.threads = 2});
   EXPECT_GT(worstDamping(hulme, open, 2.5, 2.7, 0.02), 0.20) << "nothing to remove?";
   EXPECT_GT(worstDamping(hulme, open, 3.8, 4.1, 0.02), 0.20) << "nothing to remove?";
   if (!fullSize()) return;
-  const InfluenceMatrices fine(panels(wetHemisphere(1.0, 27, 16), true, true), 2);
-  const InfluenceMatrices fineOpen(panels(wetHemisphere(1.0, 27, 16), true, false), 2);
+  const InfluenceMatrices fine(panels(wetHemisphere(1.0, 27, 16), true, true), {.threads = 2});
+  const InfluenceMatrices fineOpen(panels(wetHemisphere(1.0, 27, 16), true, false), {.threads = 2});
   const double with = worstDamping(hulme, fine, 2.0, 9.0, 0.025);
   const double without = worstDamping(hulme, fineOpen, 2.0, 9.0, 0.025);
   EXPECT_LT(with, 0.04);

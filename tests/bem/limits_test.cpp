@@ -18,15 +18,17 @@ struct Limits {
 };
 
 Limits limitsOf(const SurfaceMesh& wet) {
-  const InfluenceMatrices matrices(panels(wet, true, false), 2);
+  const InfluenceMatrices matrices(panels(wet, true, false), {.threads = 2});
   const ModeNormals normals(matrices.mesh(), Vec3::Zero());
   const XDerivative derivative(wet, matrices.mesh());
   Limits limits;
   for (const FrequencyLimit limit : {FrequencyLimit::Zero, FrequencyLimit::Infinite}) {
-    const auto phi = radiationPotentials(systemAt(matrices, limit), normals);
+    const auto system = systemAt(matrices, limit);
+    const auto phi = radiationPotentials(system, normals);
     const bool zero = limit == FrequencyLimit::Zero;
     (zero ? limits.zero : limits.infinite) = impulseMatrix(phi, normals, 1.0);
-    (zero ? limits.zeroX : limits.infiniteX) = impulseMatrixX(phi, normals, derivative, 1.0);
+    (zero ? limits.zeroX : limits.infiniteX) =
+        impulseMatrixX(system, phi, normals, derivative, 1.0);
   }
   return limits;
 }

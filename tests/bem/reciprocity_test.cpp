@@ -23,7 +23,9 @@ double asymmetry(const Mat6& m) {
 
 struct Case {
   explicit Case(const SurfaceMesh& wet, const Vec3& cog)
-      : matrices(panels(wet, true, true), 2), normals(matrices.mesh(), cog), cog(cog) {}
+      : matrices(panels(wet, true, true), {.threads = 2}),
+        normals(matrices.mesh(), cog),
+        cog(cog) {}
   InfluenceMatrices matrices;
   ModeNormals normals;
   Vec3 cog;
@@ -106,7 +108,7 @@ Excitation excitation(const Case& ship, const AiryWave& wave) {
   const auto system = systemAt(ship.matrices, wave.waveNumber());
   const PanelMesh& mesh = ship.matrices.mesh();
   const IncidentVelocity v = incidentNormalVelocity(mesh, wave, ship.cog);
-  Excitation x{diffraction(system, ship.normals, v, wave.omega, 1.0), CVec6::Zero(),
+  Excitation x{solvedDiffraction(system, ship.normals, v, wave.omega, 1.0), CVec6::Zero(),
                froudeKrylovForce(mesh, wave, ship.cog, 1.0)};
   const auto phi = radiationPotentials(system, ship.normals);
   for (const Parity parity : ship.normals.parities()) {
