@@ -3,12 +3,11 @@
 #include <omp.h>
 
 #include <cmath>
-#include <exception>
 #include <mutex>
 
 #include "hydro/Errors.h"
-#include "hydro/bem/Diffraction.h"
-#include "hydro/bem/XDerivative.h"
+#include "hydro/bem/DiffractionSweep.h"
+#include "hydro/bem/Parallel.h"
 #include "hydro/geometry/Lid.h"
 #include "hydro/geometry/SolverPanels.h"
 
@@ -32,6 +31,13 @@ void check(const ShipParticulars& ship, const SolveSettings& settings) {
   for (const double heading : settings.headings)
     if (!std::isfinite(heading))
       throw HydroError(Fault::ValueOutOfRange, "buildCoefficients: a heading is not finite");
+  for (const double speed : settings.speeds)
+    if (!std::isfinite(speed))
+      throw HydroError(Fault::ValueOutOfRange, "buildCoefficients: a speed is not finite");
+  for (const double omega : settings.waveOmega)
+    if (!std::isfinite(omega) || omega <= 0.0)
+      throw HydroError(Fault::ValueOutOfRange,
+                       "buildCoefficients: wave frequency " + std::to_string(omega) + " rad/s");
   if (!(ship.density > 0.0) || !(ship.gravity > 0.0))
     throw HydroError(Fault::ValueOutOfRange,
                      "buildCoefficients: density " + std::to_string(ship.density) +
@@ -51,10 +57,30 @@ ShipParticulars solvable(const ShipParticulars& ship) {
 
 std::string describe(const SolveSettings& settings, std::size_t lidPanels) {
   const auto word = [](bool b) { return b ? "true" : "false"; };
-  return "formulation = \"potential\"\nlid = " + std::string(word(settings.lid)) +
+  const auto influence = [&]() -> std::string {
+    switch (settings.influence) {
+      case Influence::Adjoint:
+        return "adjoint";
+      case Influence::Direct:
+        return "direct";
+      case Influence::Matrix:
+        return "interpolated";
+      case Influence::Inverse:
+        return "inverse";
+    }
+    return "";
+  };
+  const auto points = [](int n) { return n == 0 ? std::string("\"auto\"") : std::to_string(n); };
+  return std::string("formulation = \"") +
+         (settings.formulation == Formulation::Source ? "source" : "potential") +
+         "\"\nderivatives = \"" +
+         (settings.derivatives == Derivatives::Source ? "source" : "stokes") +
+         "\"\nsource_points = " + points(settings.sourcePoints) +
+         "\ngalerkin_points = " + points(settings.galerkinPoints) +
+         "\ncurved_panels = " + word(settings.curvedPanels) + "\nlid = " + word(settings.lid) +
          "\nlid_panels = " + std::to_string(lidPanels) +
-         "\nx_derivatives = " + word(settings.xDerivatives) +
-         "\nadjoint = " + word(settings.influence == Influence::Adjoint) + "\n";
+         "\nx_derivatives = " + word(settings.xDerivatives) + "\ninfluence = \"" + influence() +
+         "\"\n";
 }
 
 /// FNV-1a over coordinates and corners: two databases of the same panels have the same hash.
@@ -154,6 +180,11 @@ class Sweep {
     if (matrices_.parities() == 2) out_.conditionOdd[i] = system.condition(Parity::Odd);
   }
 
+  void tableDiffraction(int threads) {
+    out_.diffractionTable =
+        solveDiffractionTable({matrices_, normals_, derivative_, out_.ship}, settings_, threads);
+  }
+
  private:
   static InfluenceSettings influence(const SolveSettings& settings, int threads) {
     return {settings.formulation, settings.derivatives == Derivatives::Source,
@@ -211,6 +242,9 @@ Coefficients buildCoefficients(const ShipParticulars& ship, const SolveSettings&
   out.headings = settings.headings;
   out.curvedPanels = settings.curvedPanels;
   out.forwardSpeed = settings.forwardSpeed;
+  out.waveOmega = settings.waveOmega;
+  out.conditionLimitEven = settings.conditionLimitEven;
+  out.conditionLimitOdd = settings.conditionLimitOdd;
   out.provenance.version = CUTWATER_VERSION;
   out.provenance.meshHash = hashOf(out.ship.wetSurface);
 
@@ -220,26 +254,14 @@ Coefficients buildCoefficients(const ShipParticulars& ship, const SolveSettings&
   sweep.solveLimits();
   const int total = static_cast<int>(out.omega.size());
   int done = 0;
-  std::exception_ptr failure;
-  std::mutex guard;  // of the two above, and of progress
-  const auto stopped = [&] {
+  std::mutex guard;  // of `done` and of progress
+  parallelFor(total, threads, [&](int i) {
+    sweep.solve(static_cast<std::size_t>(i));
     const std::lock_guard lock(guard);
-    return failure != nullptr;
-  };
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-  for (int i = 0; i < total; ++i) {
-    if (stopped()) continue;
-    try {
-      sweep.solve(static_cast<std::size_t>(i));
-      const std::lock_guard lock(guard);
-      ++done;
-      if (progress) progress(done, total);
-    } catch (...) {
-      const std::lock_guard lock(guard);
-      failure = std::current_exception();
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
+    ++done;
+    if (progress) progress(done, total);
+  });
+  if (settings.influence != Influence::Adjoint) sweep.tableDiffraction(threads);
   return out;
 }
 

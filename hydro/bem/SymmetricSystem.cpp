@@ -81,8 +81,41 @@ SymmetricSystem<Scalar>::SymmetricSystem(std::array<InfluenceSystem<Scalar>, 2> 
   for (std::size_t p = 0; p < static_cast<std::size_t>(parities); ++p) {
     right_[p] = std::move(systems[p].R);
     derivative_[p] = std::move(systems[p].H);
-    left_[p] = Factorization<Scalar>(std::move(systems[p].L));
+    left_[p] = {{1.0, std::make_shared<const Factorization<Scalar>>(std::move(systems[p].L))}};
   }
+}
+
+template <typename Scalar>
+SymmetricSystem<Scalar> SymmetricSystem<Scalar>::betweenInverses(const SymmetricSystem& a,
+                                                                 const SymmetricSystem& b,
+                                                                 double t) {
+  SymmetricSystem between = a;
+  for (std::size_t p = 0; p < static_cast<std::size_t>(a.parities_); ++p) {
+    between.right_[p] += t * (b.right_[p] - a.right_[p]);
+    if (a.derivative_[p].size() > 0)
+      between.derivative_[p] += t * (b.derivative_[p] - a.derivative_[p]);
+    between.left_[p] = {{1.0 - t, a.left_[p].front().factors}, {t, b.left_[p].front().factors}};
+  }
+  return between;
+}
+
+template <typename Scalar>
+typename SymmetricSystem<Scalar>::Matrix SymmetricSystem<Scalar>::solve(Parity parity,
+                                                                        const Matrix& b) const {
+  const std::vector<Part>& parts = left_[static_cast<std::size_t>(parity)];
+  Matrix x = parts.front().weight * parts.front().factors->solve(b);
+  for (std::size_t i = 1; i < parts.size(); ++i) x += parts[i].weight * parts[i].factors->solve(b);
+  return x;
+}
+
+template <typename Scalar>
+typename SymmetricSystem<Scalar>::Matrix SymmetricSystem<Scalar>::solveTransposed(
+    Parity parity, const Matrix& b) const {
+  const std::vector<Part>& parts = left_[static_cast<std::size_t>(parity)];
+  Matrix x = parts.front().weight * parts.front().factors->solveTransposed(b);
+  for (std::size_t i = 1; i < parts.size(); ++i)
+    x += parts[i].weight * parts[i].factors->solveTransposed(b);
+  return x;
 }
 
 /// Zeros on the lid below what is given on the hull.
@@ -99,35 +132,35 @@ template <typename Scalar>
 typename SymmetricSystem<Scalar>::Matrix SymmetricSystem<Scalar>::potentials(
     Parity parity, const Matrix& v) const {
   const auto p = static_cast<std::size_t>(parity);
-  if (isSource_) return right_[p] * left_[p].solve(extended(parity, v));
-  return left_[p].solve(right_[p] * v).topRows(v.rows());
+  if (isSource_) return right_[p] * solve(parity, extended(parity, v));
+  return solve(parity, right_[p] * v).topRows(v.rows());
 }
 
 template <typename Scalar>
 typename SymmetricSystem<Scalar>::Matrix SymmetricSystem<Scalar>::adjoints(Parity parity,
                                                                            const Matrix& w) const {
   const auto p = static_cast<std::size_t>(parity);
-  if (isSource_) return left_[p].solveTransposed(right_[p].transpose() * w).topRows(w.rows());
-  return right_[p].transpose() * left_[p].solveTransposed(extended(parity, w));
+  if (isSource_) return solveTransposed(parity, right_[p].transpose() * w).topRows(w.rows());
+  return right_[p].transpose() * solveTransposed(parity, extended(parity, w));
 }
 
 template <typename Scalar>
 typename SymmetricSystem<Scalar>::Matrix SymmetricSystem<Scalar>::xDerivatives(
     Parity parity, const Matrix& v) const {
   const auto p = static_cast<std::size_t>(parity);
-  return derivative_[p] * left_[p].solve(extended(parity, v));
+  return derivative_[p] * solve(parity, extended(parity, v));
 }
 
 template <typename Scalar>
 typename SymmetricSystem<Scalar>::Matrix SymmetricSystem<Scalar>::xAdjoints(Parity parity,
                                                                             const Matrix& w) const {
   const auto p = static_cast<std::size_t>(parity);
-  return left_[p].solveTransposed(derivative_[p].transpose() * w).topRows(w.rows());
+  return solveTransposed(parity, derivative_[p].transpose() * w).topRows(w.rows());
 }
 
 template <typename Scalar>
 double SymmetricSystem<Scalar>::condition(Parity parity) const {
-  return left_[static_cast<std::size_t>(parity)].condition();
+  return left_[static_cast<std::size_t>(parity)].front().factors->condition();
 }
 
 OneBlasThread::OneBlasThread() : before_(openblas_get_num_threads()) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "hydro/bem/InfluenceMatrices.h"
@@ -39,6 +40,11 @@ class SymmetricSystem {
   /// @param systems indexed by Parity.  @param parities 1 or 2.
   SymmetricSystem(std::array<InfluenceSystem<Scalar>, 2> systems, int parities);
 
+  /// What lies between two systems of the same hull if R, H and the inverse of L are linear there:
+  /// (1 − t)a + tb.                                                         [M03] (84)-(87)
+  static SymmetricSystem betweenInverses(const SymmetricSystem& a, const SymmetricSystem& b,
+                                         double t);
+
   int parities() const noexcept { return parities_; }
   /// φ on the hull, column by column: L⁻¹ R v or, from sources, R L⁻¹ v.
   Matrix potentials(Parity parity, const Matrix& v) const;
@@ -50,15 +56,24 @@ class SymmetricSystem {
   Matrix xDerivatives(Parity parity, const Matrix& v) const;
   /// b with bᵀ v = wᵀ ∂φ/∂x: L⁻ᵀ Hᵀ w.  @pre hasXDerivative().
   Matrix xAdjoints(Parity parity, const Matrix& w) const;
+  /// Of L; of a mean of inverses that of its first part.
   double condition(Parity parity) const;
 
  private:
+  /// L⁻¹ as a weighted sum of inverses; nearly always one.
+  struct Part {
+    double weight;
+    std::shared_ptr<const Factorization<Scalar>> factors;
+  };
+
   Matrix extended(Parity parity, const Matrix& onHull) const;
+  Matrix solve(Parity parity, const Matrix& b) const;
+  Matrix solveTransposed(Parity parity, const Matrix& b) const;
 
   int parities_;
   bool isSource_;
   std::array<Matrix, 2> right_, derivative_;
-  std::array<Factorization<Scalar>, 2> left_;
+  std::array<std::vector<Part>, 2> left_;
 };
 
 /// Holds OpenBLAS to one thread while it lives: our own threads each solve a frequency, and results
