@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hydro/bem/BuildCoefficients.h"
+#include "hydro/database/IrregularFrequencies.h"
+#include "hydro/geometry/Shapes.h"
+#include "tests/support/Results.h"
+
+// Two ways round the resonances of the water inside the hull: a lid that has none, and a mask over
+// the condition numbers that leaves them out ([M03] 5.7). Off the resonances both are the hull alone.
+namespace cutwater::test {
+namespace {
+
+struct Hull {
+  const char* name;
+  SurfaceMesh wet;
+  Vec3 cog;
+  double from, to, step;  // ω [rad/s], the panels resolve the last
+};
+
+Coefficients solved(const Hull& hull, bool lid, const ConditionLimit& even = {},
+                    const ConditionLimit& odd = {}) {
+  ShipParticulars ship;
+  ship.wetSurface = hull.wet;
+  ship.symmetric = true;
+  ship.cog = hull.cog;
+  SolveSettings settings;
+  for (double omega = hull.from; omega <= hull.to + 1e-9; omega += hull.step)
+    settings.omega.push_back(omega);
+  settings.lid = lid;
+  settings.xDerivatives = false;
+  settings.conditionLimitEven = even;
+  settings.conditionLimitOdd = odd;
+  settings.threads = 2;
+  return applyMask(buildCoefficients(ship, settings));
+}
+
+/// The envelope a user would draw: half as much again as the condition numbers that have no peaks.
+ConditionLimit envelope(const std::vector<double>& omega, const std::vector<double>& condition) {
+  ConditionLimit limit;
+  for (std::size_t i = 0; i < omega.size(); ++i) limit.emplace_back(omega[i], 1.5 * condition[i]);
+  return limit;
+}
+
+/// Largest difference of A_jj and B_jj/ω, as a fraction of A_jj's maximum, where `where` is true.
+template <class Where>
+double apart(const Coefficients& a, const Coefficients& b, Where where) {
+  Vec6 peak = Vec6::Zero();
+  for (const Mat6& A : a.addedMass) peak = peak.cwiseMax(A.diagonal().cwiseAbs());
+  double most = 0.0;
+  for (std::size_t i = 0; i < a.omega.size(); ++i) {
+    if (!where(i)) continue;
+    const Vec6 dA = (a.addedMass[i] - b.addedMass[i]).diagonal().cwiseAbs();
+    const Vec6 dB = (a.damping[i] - b.damping[i]).diagonal().cwiseAbs() / a.omega[i];
+    for (int j = 0; j < 6; ++j)
+      if (peak[j] > 1e-6 * peak.maxCoeff()) most = std::max(most, (dA[j] + dB[j]) / peak[j]);
+  }
+  return most;
+}
+
+/// How far a point lies off the cubic through its four neighbours, of the maximum: the curve's own
+/// fourth difference where it is smooth, the height of a spike where it is not.
+double roughness(const Coefficients& c) {
+  Vec6 peak = Vec6::Zero();
+  for (const Mat6& A : c.addedMass) peak = peak.cwiseMax(A.diagonal().cwiseAbs());
+  double most = 0.0;
+  for (std::size_t i = 2; i + 2 < c.omega.size(); ++i) {
+    const auto at = [&](std::size_t k) -> Vec6 { return c.addedMass[k].diagonal(); };
+    const Vec6 cubic = (4.0 * (at(i - 1) + at(i + 1)) - at(i - 2) - at(i + 2)) / 6.0;
+    for (int j = 0; j < 6; ++j)
+      if (peak[j] > 1e-6 * peak.maxCoeff())
+        most = std::max(most, std::abs(at(i)[j] - cubic[j]) / peak[j]);
+  }
+  return most;
+}
+
+std::vector<Hull> hulls() {
+  std::vector<Hull> all{
+      {"frigate", wetFrigate(20, 5), {-2.4165, 0.0, 1.29}, 1.0, 2.4, 0.05},
+      {"barge", wetBox({40.0, 10.0, 3.0, 0.0}, 14, 4, 3), {0, 0, 0}, 1.2, 2.9, 0.05},
+      {"hemisphere", wetHemisphere(5.0, 14, 8), {0, 0, 0}, 1.4, 3.4, 0.05}};
+  if (fullSize())
+    all.push_back({"frigate 433", wetFrigate(48, 9), {-2.4165, 0.0, 1.29}, 1.0, 3.2, 0.05});
+  return all;
+}
+
+// Off the resonances lid and no lid differ by the discretisation error of both, 2 % of the maximum on
+// these coarse panels; a resonance is worth ten times that. The mask leaves the lid's curve within
+// the error of interpolating across it.
+TEST(IrregularFrequenciesVerification, LidAndMaskAgreeOffTheResonances) {
+  for (const Hull& hull : hulls()) {
+    SCOPED_TRACE(hull.name);
+    const Coefficients lid = solved(hull, true), open = solved(hull, false);
+    const Coefficients masked = solved(hull, false, envelope(lid.omega, lid.conditionEven),
+                                       envelope(lid.omega, lid.conditionOdd));
+    const auto count = std::count(masked.masked.begin(), masked.masked.end(), 1);
+    const double everywhere = apart(lid, open, [](std::size_t) { return true; });
+    const double off = apart(lid, masked, [&](std::size_t i) { return masked.masked[i] == 0; });
+    const double across = apart(lid, masked, [](std::size_t) { return true; });
+    EXPECT_GT(count, 0);
+    EXPECT_LT(off, 0.03);
+    EXPECT_LT(across, 0.06);
+    EXPECT_GT(everywhere, 2.0 * off) << "no resonance?";
+    EXPECT_LT(roughness(lid), 0.02);
+    EXPECT_GT(roughness(open), 2.0 * roughness(lid));
+    const std::string name(hull.name);
+    recordResult("irregular frequencies", name + ", lid and no lid off the mask, % of maximum", "0",
+                 100.0 * off, "discretisation");
+    recordResult("irregular frequencies", name + ", lid and mask, everywhere, % of maximum", "0",
+                 100.0 * across, "interpolation");
+    recordResult("irregular frequencies", name + ", lid and no lid, everywhere, % of maximum", "0",
+                 100.0 * everywhere, "(resonances)");
+    recordResult("irregular frequencies", name + ", roughness with lid, % of maximum",
+                 std::to_string(100.0 * roughness(open)) + " without", 100.0 * roughness(lid),
+                 "smooth");
+  }
+}
+
+}  // namespace
+}  // namespace cutwater::test
