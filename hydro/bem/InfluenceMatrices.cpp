@@ -44,16 +44,6 @@ constexpr int kMostPoints = 4;
 /// n Gauss points on ∫ e^{iθs} ds, s = −1..1, are off by θ²ⁿ times this, leading term.
 constexpr std::array<double, kMostPoints - 1> kGaussError{1.0 / 6.0, 1.0 / 270.0, 1.0 / 31500.0};
 
-double diameter(const Panel& panel) {
-  double size = 0.0;
-  for (int i = 0; i < panel.corners; ++i)
-    for (int j = 0; j < i; ++j)
-      size = std::max(size, (panel.corner[static_cast<std::size_t>(i)] -
-                             panel.corner[static_cast<std::size_t>(j)])
-                                .norm());
-  return size;
-}
-
 double top(const Panel& panel) {
   double z = panel.corner[0].z();
   for (int i = 1; i < panel.corners; ++i)

@@ -100,6 +100,16 @@ Panel flatPanel(const std::vector<Vec3>& corners) {
   return panel;
 }
 
+double diameter(const Panel& panel) {
+  double size = 0.0;
+  for (int i = 0; i < panel.corners; ++i)
+    for (int j = 0; j < i; ++j)
+      size = std::max(size, (panel.corner[static_cast<std::size_t>(i)] -
+                             panel.corner[static_cast<std::size_t>(j)])
+                                .norm());
+  return size;
+}
+
 PanelMesh makePanels(const SurfaceMesh& wet, bool symmetric) {
   PanelMesh mesh;
   mesh.symmetric = symmetric;

@@ -35,4 +35,7 @@ PanelMesh makePanels(const SurfaceMesh& wet, bool symmetric);
 /// @throws HydroError ValueOutOfRange if it has no area, BadArgument for another number of corners.
 Panel flatPanel(const std::vector<Vec3>& corners);
 
+/// Largest distance of two corners [m].
+double diameter(const Panel& panel);
+
 }  // namespace cutwater

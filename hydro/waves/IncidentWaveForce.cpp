@@ -10,17 +10,6 @@ namespace {
 
 Vec3 mirrored(const Vec3& x) { return {x.x(), -x.y(), x.z()}; }
 
-/// Largest extent of a panel [m].
-double diameter(const Panel& panel) {
-  double size = 0.0;
-  for (int i = 0; i < panel.corners; ++i)
-    for (int j = 0; j < i; ++j)
-      size = std::max(size, (panel.corner[static_cast<std::size_t>(i)] -
-                             panel.corner[static_cast<std::size_t>(j)])
-                                .norm());
-  return size;
-}
-
 /// n Gauss points leave 2^{2n}(n!)⁴κ^{2n}/((2n+1)(2n)!³) of the mean of e^{iκt} over [−1, 1]; at
 /// each limit that is below 1e-7. Longer panels are quartered first.
 int pointsFor(double halfPhase) {
