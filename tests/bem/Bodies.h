@@ -5,6 +5,8 @@
 
 namespace cutwater::test {
 
+inline constexpr double kGravity = 9.80665;
+
 /// Panels of a wet surface with its lid, or without.
 inline PanelMesh panels(const SurfaceMesh& wet, bool symmetric, bool lid) {
   PanelMesh mesh = makePanels(wet, symmetric);

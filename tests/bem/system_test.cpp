@@ -6,7 +6,6 @@
 namespace cutwater::test {
 namespace {
 
-constexpr double kGravity = 9.80665;
 // Sums of a few hundred terms through a well-conditioned system.
 constexpr double kRoundOff = 1e-10;
 
@@ -87,9 +86,8 @@ TEST(SystemIdentity, AdjointVectorsGiveTheRadiationForce) {
   const auto b = adjointVectors(system, normals, 1.0);
   for (int j = 0; j < 6; ++j)
     for (int k = j % 2; k < 6; k += 2)
-      EXPECT_LT(
-          std::abs(2.0 * (b.row(j) * normals.n.col(k)).value() + Complex(0.0, 1.0) * Z(j, k)),
-          kRoundOff * Z.norm());
+      EXPECT_LT(std::abs(2.0 * (b.row(j) * normals.n.col(k)).value() + Complex(0.0, 1.0) * Z(j, k)),
+                kRoundOff * Z.norm());
 }
 
 // Moving G by d changes moments by −d × force, and rotations move the old point: Z′ = P Z Pᵀ.
