@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/QR>
 #include <limits>
 #include <random>
 #include <string>
