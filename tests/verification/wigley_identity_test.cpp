@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <array>
+#include <algorithm>
 #include <map>
 
 #include "hydro/bem/XDerivative.h"
@@ -58,7 +58,7 @@ Sides sidesOf(int along, int girth) {
   const XDerivative derivative(wet, matrices.mesh());
   const auto phi = radiationPotentials(system, normals);
   const CMat6 impulse = impulseMatrix(phi, normals, 1.0),
-              along_x = impulseMatrixX(system, phi, normals, derivative, 1.0);
+              impulseX = impulseMatrixX(system, phi, normals, derivative, 1.0);
   const std::size_t odd = static_cast<std::size_t>(Parity::Odd);
   const Eigen::VectorXd v = normals.n.col(Yaw);
   const Eigen::VectorXcd phiY =
@@ -66,7 +66,7 @@ Sides sidesOf(int along, int girth) {
       stokesInY(wet, matrices.mesh()) * phi[odd].col(2);  // odd modes: sway, roll, yaw
   const Complex y = -2.0 * normals.n.col(Surge).cast<Complex>().dot(phiY);
   const double swayed = impulse(Sway, Sway).real();
-  return {along_x(Sway, Yaw).real() / swayed, y.real() / swayed};
+  return {impulseX(Sway, Yaw).real() / swayed, y.real() / swayed};
 }
 
 // With T the two sides differ on a panel by Σφ_edge dz, by algebra alone, and between neighbours
