@@ -3,15 +3,23 @@
 #include <algorithm>
 
 #include "demos/report_figures/Report.h"
+#include "hydro/database/Interpolation.h"
 
 namespace cutwater::report {
 
 namespace {
 
-/// B_jj and U∂A_jj of one frequency, in the report's units.
-std::vector<double> dampingAndX(const Coefficients& c, std::size_t i, int mode) {
+/// B_jj and U∂A_jj of one frequency as solved, in the report's units.
+std::vector<double> solved(const Coefficients& c, std::size_t i, int mode) {
   const double unit = dampingUnit(c.ship, mode);
   return {c.damping[i](mode, mode) / unit, kSpeed * c.addedMassX[i](mode, mode) / unit};
+}
+
+/// The same as a database gives it back: beyond the waves that the panels resolve, its continuation.
+std::vector<double> read(const Coefficients& c, std::size_t i, int mode) {
+  const double unit = dampingUnit(c.ship, mode), omega = c.omega[i];
+  return {dampingAt(c, omega)(mode, mode) / unit,
+          kSpeed * addedMassXAt(c, omega)(mode, mode) / unit};
 }
 
 void append(std::vector<double>& row, const std::vector<double>& values) {
@@ -71,17 +79,17 @@ void writeFigure6(const Job& job, const Sweeps& medium) {
   curve("sources_4_4", medium.reports);
   for (const auto& [source, galerkin] : {std::pair{1, 1}, {4, 4}}) {
     SolveSettings settings = ours(job);
+    settings.lid = false;
     settings.sourcePoints = source;
     settings.galerkinPoints = galerkin;
     curve(fmt::format("potential_{}_{}", source, galerkin),
           buildCoefficients(job.medium().ship, settings));
   }
-  curve("potential_auto_4", medium.ours);
-
-  command::Csv csv(header);
+  command::Csv csv(header + ",B33_database,UdA33_database");
   for (std::size_t i = 0; i < medium.ours.omega.size(); ++i) {
     std::vector<double> row{medium.ours.omega[i]};
-    for (const Coefficients& c : curves) append(row, dampingAndX(c, i, Heave));
+    for (const Coefficients& c : curves) append(row, solved(c, i, Heave));
+    append(row, read(medium.ours, i, Heave));
     csv.row(row);
   }
   csv.write(job.file("figure06.csv"));
@@ -106,8 +114,8 @@ void writeFigures15To20(const Job& job, const std::vector<Sweeps>& sweeps) {
     for (std::size_t i = 0; i < sweeps.front().ours.omega.size(); ++i) {
       std::vector<double> row{sweeps.front().ours.omega[i]};
       for (const Sweeps& s : sweeps) {
-        append(row, dampingAndX(s.ours, i, mode));
-        append(row, dampingAndX(s.reports, i, mode));
+        append(row, read(s.ours, i, mode));
+        append(row, solved(s.reports, i, mode));
       }
       csv.row(row);
     }

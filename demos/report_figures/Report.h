@@ -65,7 +65,8 @@ class CpuTime {
 
 /// Both sweeps of one mesh, ω_e of the job.
 struct Sweeps {
-  Coefficients ours, reports;  ///< reports: 4 source, 4 Galerkin points
+  Coefficients ours;     ///< with the consistent A(∞), as `cutwater solve` writes it
+  Coefficients reports;  ///< 4 source, 4 Galerkin points
 };
 
 void writeTable2(const Job& job);

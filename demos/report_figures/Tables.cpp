@@ -7,6 +7,7 @@
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/forces/WaveExcitation.h"
 #include "hydro/geometry/Lid.h"
+#include "hydro/memory/ConsistentLimit.h"
 
 namespace cutwater::report {
 
@@ -178,7 +179,8 @@ std::vector<Sweeps> writeTable4(const Job& job) {
   command::Csv csv(
       "panels,lid_panels,omega_e_first,omega_e_last,omega_e_count,speed_first_knots,"
       "speed_last_knots,speed_count,headings_deg,omega_i_first,omega_i_last,omega_i_count,"
-      "conditions,build_cpu_s,build_wall_s,conditions_cpu_s,file_bytes");
+      "conditions,build_cpu_s,build_wall_s,conditions_cpu_s,file_bytes,"
+      "resolved_omega,resolved_omega_without_lid");
   std::vector<Sweeps> sweeps;
   const std::vector<double> waveOmega = job.waveOmega();
   for (const Mesh& mesh : job.meshes) {
@@ -187,21 +189,24 @@ std::vector<Sweeps> writeTable4(const Job& job) {
     Coefficients database = buildCoefficients(mesh.ship, ours(job));
     const double build = cpu.seconds();
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+    database = withConsistentLimit(std::move(database));
     const CpuTime reading;
     const int conditions = readConditions(database, waveOmega);
     const double read = reading.seconds();
     const std::string name = job.file("frigate_" + std::to_string(mesh.panels) + ".h5");
     writeCoefficients(database, name);
+    Coefficients sources = buildCoefficients(mesh.ship, reports(job, 4, 4));
     const std::vector<double>& omega = database.omega;
     const auto number = [](double value) { return command::csvNumber(value) + ","; };
     csv.row({static_cast<double>(conditions), build, wall.count(), read,
-             static_cast<double>(std::filesystem::file_size(name))},
+             static_cast<double>(std::filesystem::file_size(name)), database.resolvedOmega,
+             sources.resolvedOmega},
             std::to_string(mesh.panels) + "," +
                 std::to_string(makeLid(mesh.ship.wetSurface, mesh.ship.symmetric).size()) + "," +
                 number(omega.front()) + number(omega.back()) + std::to_string(omega.size()) +
                 ",0,30,7,30 150 165 180," + number(waveOmega.front()) + number(waveOmega.back()) +
                 std::to_string(waveOmega.size()) + ",");
-    sweeps.push_back({std::move(database), buildCoefficients(mesh.ship, reports(job, 4, 4))});
+    sweeps.push_back({std::move(database), std::move(sources)});
   }
   csv.write(job.file("table4.csv"));
   return sweeps;
