@@ -2,9 +2,8 @@
 
 #include <array>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 
+#include "hydro/AtomicFile.h"
 #include "hydro/Errors.h"
 
 CUTWATER_PLUGIN_BEGIN
@@ -76,16 +75,6 @@ std::string Recorder::csv() const {
   return text;
 }
 
-void Recorder::write(const std::string& path) const {
-  const std::string unfinished = path + ".unfinished";
-  std::ofstream file(unfinished, std::ios::binary);
-  file << csv();
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(unfinished, path, error);
-  if (file && !error) return;
-  std::filesystem::remove(unfinished, error);
-  throw HydroError(Fault::FileNotWritable, "Recorder::write: cannot write " + path);
-}
+void Recorder::write(const std::string& path) const { writeWhole(path, csv()); }
 
 CUTWATER_PLUGIN_END

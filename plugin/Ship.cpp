@@ -82,7 +82,7 @@ Ship::Ship(btDiscreteDynamicsWorld& world, const Coefficients& coefficients, con
   body_->setSleepingThresholds(0, 0);
   body_->forceActivationState(DISABLE_DEACTIVATION);
   addedMass_ = std::make_unique<AddedMassConstraint>(*body_, coefficients.addedMassInf);
-  turnAddedMass();
+  turnAddedMass(headingOf(*body_));
   addedMass_->forgetPast();
   resetVelocity(fromBullet(body_->getLinearVelocity()), fromBullet(body_->getAngularVelocity()));
   if (ownBody_) world_.addRigidBody(body_);
@@ -138,15 +138,15 @@ Vec6 Ship::velocity() const noexcept {
   return rotated(toBody, toBody, sixOf(body_->getLinearVelocity(), body_->getAngularVelocity()));
 }
 
-Vec6 Ship::motion() const noexcept { return motionAt(0.0).eta; }
+Vec6 Ship::motion() const noexcept { return motionAt(0.0, headingOf(*body_)).eta; }
 
 Mat3 Ship::toCourse() const noexcept { return rotationZ(-courseHeading_); }
 
 // Bullet moves x_{n+1} = x_n + h v_{n+1}: v_n is the mean over the tick that ended at t_n, centred
 // at t_n − h/2, and (3 v_n − v_{n−1})/2 is second order at t_n. Blows since the last solve are not
 // in it.
-ShipMotion Ship::motionAt(double time) const noexcept {
-  const Mat3 course = toCourse(), toHeading = headingOf(*body_).transpose();
+ShipMotion Ship::motionAt(double time, const Mat3& heading) const noexcept {
+  const Mat3 course = toCourse(), toHeading = heading.transpose();
   const Vec3 mean(courseX_, courseY_, coefficients_.ship.cog.z());
   const Vec6 velocity = sixOf(addedMass_->linearVelocity(), addedMass_->angularVelocity());
   ShipMotion motion;
@@ -162,7 +162,7 @@ ShipMotion Ship::motionAt(double time) const noexcept {
 void Ship::resetVelocity(const Vec3& linear, const Vec3& angular) noexcept {
   body_->setLinearVelocity(toBullet(linear));
   body_->setAngularVelocity(toBullet(angular));
-  turnAddedMass();
+  turnAddedMass(headingOf(*body_));
   addedMass_->forgetPast();
   velocityBefore_ = sixOf(body_->getLinearVelocity(), body_->getAngularVelocity());
 }
@@ -245,7 +245,7 @@ void Ship::evaluate(const ShipMotion& motion) noexcept {
 
 // Impulses, not forces: Bullet keeps forces over all ticks of one stepSimulation. The part of the
 // restoring load that carries the weight undoes Bullet's gravity in the solver's own arithmetic.
-bool Ship::apply(btScalar step) noexcept {
+bool Ship::apply(btScalar step, const Mat3& heading) noexcept {
   const ForceParts& p = record_.forces;
   const Vec6 loads =
       p.gravity + p.restoring + p.froudeKrylov + p.diffraction + p.radiation + p.supplementary;
@@ -253,7 +253,7 @@ bool Ship::apply(btScalar step) noexcept {
   if (finite(weightChange)) body_->setLinearVelocity(body_->getLinearVelocity() - weightChange);
   if (!loads.allFinite()) return false;  // without loads, but carried
   const Vec6 impulse =
-      static_cast<double>(step) * rotated(rotationZ(courseHeading_), headingOf(*body_), loads);
+      static_cast<double>(step) * rotated(rotationZ(courseHeading_), heading, loads);
   body_->applyCentralImpulse(toBullet(impulse.head<3>()));
   body_->applyTorqueImpulse(toBullet(impulse.tail<3>()));
   return true;
@@ -278,24 +278,27 @@ std::uint32_t Ship::beginTick(double time, btScalar step) noexcept {
   }
   body_->setDamping(0, 0);
   body_->forceActivationState(DISABLE_DEACTIVATION);
-  const ShipMotion motion = motionAt(time);
   record_.time = time;
   record_.position = position();
   record_.attitude = attitude();
+  const Mat3 heading = rotationZ(record_.attitude.z());
+  const ShipMotion motion = motionAt(time, heading);
   const Mat3 toBody = attitudeOf(*body_).transpose();
   record_.velocity =
-      rotated(toBody * rotationZ(courseHeading_), toBody * headingOf(*body_), motion.etaDotNow);
+      rotated(toBody * rotationZ(courseHeading_), toBody * heading, motion.etaDotNow);
   record_.wave = sea_.elevation(time, record_.position.x(), record_.position.y());
   evaluate(motion);
-  if (!apply(step)) faults |= kLoadNotFinite;
-  turnAddedMass();
+  if (!apply(step, heading)) faults |= kLoadNotFinite;
+  turnAddedMass(heading);
   addedMass_->beginTick(step);
   return faults;
 }
 
 // A∞ follows her heading, not her heel: it belongs to the upright axes of linear theory, as K and C
 // do; turned with a hull that rolls, heave would excite sway at second order.
-void Ship::turnAddedMass() noexcept { addedMass_->follow(toBulletBasis(headingOf(*body_))); }
+void Ship::turnAddedMass(const Mat3& heading) noexcept {
+  addedMass_->follow(toBulletBasis(heading));
+}
 
 void Ship::endTick() noexcept {
   if (!addedMass_->isEnabled()) return;

@@ -116,11 +116,11 @@ class Ship {
   btTransform poseAt(const Vec6& offset) const noexcept;
   void restrain();
   Mat3 toCourse() const noexcept;
-  ShipMotion motionAt(double time) const noexcept;
+  ShipMotion motionAt(double time, const Mat3& heading) const noexcept;
   void evaluate(const ShipMotion& motion) noexcept;
-  bool apply(btScalar step) noexcept;
+  bool apply(btScalar step, const Mat3& heading) noexcept;
   std::uint32_t matchTick(double step) noexcept;
-  void turnAddedMass() noexcept;
+  void turnAddedMass(const Mat3& heading) noexcept;
 
   btDiscreteDynamicsWorld& world_;
   const Coefficients& coefficients_;

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 
+#include "hydro/AtomicFile.h"
 #include "hydro/Errors.h"
 
 namespace cutwater::command {
@@ -26,34 +26,15 @@ void Csv::row(const std::vector<double>& values, const std::string& prefix) {
   text_ += '\n';
 }
 
-namespace fs = std::filesystem;
-
 void writeText(const std::string& text, const std::string& path) {
-  const auto refuse = [&](const std::string& file) {
-    throw HydroError(Fault::FileNotWritable, file + ": cannot be written");
-  };
-  if (path.empty()) {
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() ||
-        std::fflush(stdout) != 0) {
-      refuse("stdout");
-    }
-    return;
+  if (!path.empty()) return writeWhole(path, text);
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+    throw HydroError(Fault::FileNotWritable, "stdout: cannot be written");
   }
-  std::error_code error;
-  const bool asItIs = fs::exists(path, error) && !fs::is_regular_file(path, error);
-  const fs::path target = fs::is_symlink(path, error) ? fs::canonical(path, error) : fs::path(path);
-  const fs::path first =
-      asItIs ? target : fs::path(target.string() + fmt::format(".tmp{}", getpid()));
-  std::ofstream file(first, std::ios::binary);
-  file << text;
-  file.close();
-  if (file && !asItIs) fs::rename(first, target, error);
-  if (file && !error) return;
-  if (!asItIs) fs::remove(first, error);
-  refuse(path);
 }
 
 void requireWritable(const std::string& path) {
+  namespace fs = std::filesystem;
   if (path.empty()) return;
   const auto folder = fs::absolute(path).parent_path();
   if (fs::is_directory(path) || access(folder.c_str(), W_OK) != 0) {

@@ -8,8 +8,8 @@
 
 #include "hydro/Errors.h"
 #include "hydro/database/Interpolation.h"
-#include "hydro/waves/IncidentWaveForce.h"
 #include "hydro/geometry/SolverPanels.h"
+#include "hydro/waves/IncidentWaveForce.h"
 
 namespace cutwater {
 

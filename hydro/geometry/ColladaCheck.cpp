@@ -10,7 +10,7 @@
 namespace cutwater {
 namespace {
 
-constexpr std::string_view kBlank = " \t\r\n";
+constexpr std::string_view kXmlBlank = " \t\r\n";
 
 struct Tag {
   std::string_view name, attributes;
@@ -83,11 +83,11 @@ class ColladaChecker {
     for (std::size_t at = tag.attributes.find(name); at != std::string_view::npos;
          at = tag.attributes.find(name, at + 1)) {
       std::string_view after = tag.attributes.substr(at + name.size());
-      if (at == 0 || kBlank.find(tag.attributes[at - 1]) == std::string_view::npos) continue;
-      after.remove_prefix(std::min(after.find_first_not_of(kBlank), after.size()));
+      if (at == 0 || kXmlBlank.find(tag.attributes[at - 1]) == std::string_view::npos) continue;
+      after.remove_prefix(std::min(after.find_first_not_of(kXmlBlank), after.size()));
       if (!after.starts_with('=')) continue;
       after.remove_prefix(1);
-      after.remove_prefix(std::min(after.find_first_not_of(kBlank), after.size()));
+      after.remove_prefix(std::min(after.find_first_not_of(kXmlBlank), after.size()));
       if (after.empty() || (after[0] != '"' && after[0] != '\'')) continue;
       const std::size_t end = after.find(after[0], 1);
       if (end != std::string_view::npos) return std::string(after.substr(1, end - 1));
@@ -100,7 +100,7 @@ class ColladaChecker {
     double words = 0;
     bool inWord = false;
     for (const char c : tag.closes ? std::string_view() : tag.content) {
-      const bool blank = kBlank.find(c) != std::string_view::npos;
+      const bool blank = kXmlBlank.find(c) != std::string_view::npos;
       words += !blank && !inWord;
       inWord = !blank;
     }

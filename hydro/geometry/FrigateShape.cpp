@@ -14,6 +14,9 @@ constexpr double kBowEnd = 6.225;          // s where the keel line reaches the 
 constexpr double kSternStart = 81.8271;    // s where the keel line begins to rise
 constexpr double kDeckFullest = 64.74;     // s of the broadest deck station
 constexpr double kStationCrowding = 0.42;  // stations closer together at the ends, spacedAtEnds
+// Rows closer together towards calm water, spacedAtStart: the pressure of short waves goes as z ln z
+// there, and half the depth of the uppermost panels halves the error of A(∞).
+constexpr double kWaterlineCrowding = 0.6;
 
 /// One transverse section; s [m] aft of the forward perpendicular.
 ///     below water  y = b (1 − ζⁿ), ζ = −z/d;      above  y = b + (b_d − b)(z/F)^1.6
@@ -85,21 +88,25 @@ SurfaceMesh withSplitTransomCorner(const SurfaceMesh& mesh) {
 }  // namespace
 
 SurfaceMesh wetFrigate(int along, int girth) {
-  return withSplitTransomCorner(
-      gridOfCurves(spacedAtEnds(along, kStationCrowding), girth, wetPoint));
+  return withSplitTransomCorner(gridOfCurves(spacedAtEnds(along, kStationCrowding),
+                                             spacedAtStart(girth, kWaterlineCrowding), wetPoint));
 }
 
 SurfaceMesh closedFrigate(int along, int girth) {
   const std::vector<double> u = spacedAtEnds(along, kStationCrowding);
+  // From the centreline outwards, to meet the wet sections at the transom.
+  std::vector<double> across = spacedAtStart(girth, kWaterlineCrowding);
+  std::reverse(across.begin(), across.end());
+  for (double& v : across) v = 1 - v;
   const int up = std::max(2, (girth + 1) / 2);  // freeboard is about half of the wet girth
   const auto downwards = [](double v) { return v == 1.0 ? 0.0 : 1 - v; };
   SurfaceMesh dry =
       gridSurface(u, uniform(up), [&](double s, double v) { return dryPoint(s, downwards(v)); });
-  dry = joined(dry, gridSurface(u, uniform(girth), [](double s, double v) -> Vec3 {
+  dry = joined(dry, gridSurface(u, across, [](double s, double v) -> Vec3 {
                  const Vec3 edge = dryPoint(s, 1.0);
                  return {edge.x(), v * edge.y(), edge.z()};
                }));
-  dry = joined(dry, gridSurface(uniform(up), uniform(girth), [](double h, double v) -> Vec3 {
+  dry = joined(dry, gridSurface(uniform(up), across, [](double h, double v) -> Vec3 {
                  const Vec3 edge = dryPoint(0.0, h);
                  return {edge.x(), v * edge.y(), edge.z()};
                }));

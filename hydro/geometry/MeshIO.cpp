@@ -22,7 +22,6 @@ namespace {
 
 constexpr std::uintmax_t kLargestFile = 1u << 29;  // 512 MB
 constexpr std::size_t kMostFaces = 4'000'000;      // a panel code uses thousands
-constexpr std::size_t kMostCorners = 10'000;       // of one polygon; dividing it is quadratic
 constexpr int kDeepestNode = 200;                  // of a scene's tree
 
 const char* const kAssimpEndings[] = {"obj", "stl", "gltf", "glb", "dae"};
@@ -132,7 +131,7 @@ class AssimpReader {
     }
     for (unsigned k = 0; k < part.mNumFaces; ++k) {
       const aiFace& face = part.mFaces[k];
-      if (face.mNumIndices > kMostCorners)
+      if (face.mNumIndices > static_cast<unsigned>(kMostCorners))
         malformed(path_, "face " + std::to_string(k) + " has " + std::to_string(face.mNumIndices) +
                              " corners");
       std::vector<int> corners;

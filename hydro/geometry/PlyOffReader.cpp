@@ -12,8 +12,6 @@
 namespace cutwater {
 namespace {
 
-constexpr int kMostCorners = 10'000;
-
 void addVertex(SurfaceMesh& mesh, const Vec3& p, const TextScanner& text) {
   if (!p.allFinite())
     text.fail("vertex " + std::to_string(mesh.vertices.size()) + " is (" + std::to_string(p.x()) +

@@ -49,8 +49,22 @@ std::vector<double> spacedAtEnds(int n, double c) {
   return u;
 }
 
+std::vector<double> spacedAtStart(int n, double c) {
+  std::vector<double> u = checkedCount(n, "spacedAtStart");
+  for (int i = 0; i < n; ++i) {
+    const double t = static_cast<double>(i) / n;
+    u[static_cast<std::size_t>(i)] = t - c * std::sin(kPi * t) / kPi;
+  }
+  u.back() = 1.0;
+  return u;
+}
+
 std::vector<double> equalArcs(int n, const std::function<Vec3(double)>& curve) {
-  std::vector<double> t = checkedCount(n, "equalArcs");
+  return arcsAt(uniform(n), curve);
+}
+
+std::vector<double> arcsAt(const std::vector<double>& fractions,
+                           const std::function<Vec3(double)>& curve) {
   constexpr int kFine =
       4000;  // the polyline is then short of the curve by about 1e-7 of its length
   std::vector<double> length{0.0};
@@ -60,15 +74,15 @@ std::vector<double> equalArcs(int n, const std::function<Vec3(double)>& curve) {
     length.push_back(length.back() + (p - last).norm());
     last = p;
   }
-  if (length.back() <= 0.0) return uniform(n);  // the curve is a point
+  if (length.back() <= 0.0) return fractions;  // the curve is a point
+  std::vector<double> t = fractions;
   std::size_t k = 0;
-  for (int i = 1; i < n; ++i) {
-    const double wanted = length.back() * i / n;
+  for (std::size_t i = 1; i + 1 < t.size(); ++i) {
+    const double wanted = length.back() * fractions[i];
     while (length[k + 1] < wanted) ++k;
     const double part = (wanted - length[k]) / (length[k + 1] - length[k]);
-    t[static_cast<std::size_t>(i)] = (static_cast<double>(k) + part) / kFine;
+    t[i] = (static_cast<double>(k) + part) / kFine;
   }
-  t.back() = 1.0;
   return t;
 }
 
@@ -82,12 +96,13 @@ SurfaceMesh gridSurface(const std::vector<double>& u, const std::vector<double>&
   return facesBetween(rows);
 }
 
-SurfaceMesh gridOfCurves(const std::vector<double>& u, int n,
+SurfaceMesh gridOfCurves(const std::vector<double>& u, const std::vector<double>& fractions,
                          const std::function<Vec3(double, double)>& point) {
   std::vector<std::vector<Vec3>> rows;
   for (double s : u) {
     auto& row = rows.emplace_back();
-    for (double t : equalArcs(n, [&](double v) { return point(s, v); })) row.push_back(point(s, t));
+    for (double t : arcsAt(fractions, [&](double v) { return point(s, v); }))
+      row.push_back(point(s, t));
   }
   return facesBetween(rows);
 }

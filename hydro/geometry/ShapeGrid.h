@@ -16,8 +16,8 @@ std::vector<double> uniform(int n);
 SurfaceMesh gridSurface(const std::vector<double>& u, const std::vector<double>& v,
                         const std::function<Vec3(double, double)>& point);
 
-/// The same with each curve v → P(u_i, v) cut into n equal lengths.
-SurfaceMesh gridOfCurves(const std::vector<double>& u, int n,
+/// The same with each curve v → P(u_i, v) cut at these fractions of its length.
+SurfaceMesh gridOfCurves(const std::vector<double>& u, const std::vector<double>& fractions,
                          const std::function<Vec3(double, double)>& point);
 
 /// Port half of a vertical wall of `up` rows between calm water and the deck edge, with its deck.

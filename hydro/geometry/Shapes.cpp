@@ -105,7 +105,7 @@ Vec3 wigleyPoint(const WigleyShape& h, double u, double zeta) {
 
 SurfaceMesh wetWigley(const WigleyShape& hull, int along, int girth) {
   requirePositive("wetWigley", {hull.length, hull.breadth, hull.draft});
-  return gridOfCurves(uniform(along), girth,
+  return gridOfCurves(uniform(along), uniform(girth),
                       [&](double u, double v) { return wigleyPoint(hull, u, v); });
 }
 

@@ -9,7 +9,7 @@
 namespace cutwater {
 namespace {
 
-constexpr std::string_view kBlank = " \t\r,";
+constexpr std::string_view kBetweenWords = " \t\r,";
 
 std::optional<double> number(std::string word) {
   std::replace_if(
@@ -35,10 +35,10 @@ bool TextScanner::nextLine() {
 }
 
 std::string TextScanner::wordInLine() {
-  const std::size_t begin = line_.find_first_not_of(kBlank);
+  const std::size_t begin = line_.find_first_not_of(kBetweenWords);
   if (begin == std::string_view::npos) return {};
   line_.remove_prefix(begin);
-  const std::size_t end = std::min(line_.find_first_of(kBlank), line_.size());
+  const std::size_t end = std::min(line_.find_first_of(kBetweenWords), line_.size());
   const std::string word(line_.substr(0, end));
   line_.remove_prefix(end);
   return word;

@@ -6,8 +6,6 @@
 namespace cutwater::test {
 namespace {
 
-constexpr double kGravity = 9.80665;
-
 /// ∫ e^{iκt} dt from a to b.
 Complex exponential(double kappa, double a, double b) {
   if (kappa == 0.0) return b - a;

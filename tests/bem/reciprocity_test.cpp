@@ -8,8 +8,6 @@
 namespace cutwater::test {
 namespace {
 
-constexpr double kGravity = 9.80665;
-
 /// Largest |Z_jk − Z_kj| / √(Z_jj Z_kk) over the pairs.
 double asymmetry(const Mat6& m) {
   double most = 0.0;

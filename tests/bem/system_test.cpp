@@ -6,7 +6,6 @@
 namespace cutwater::test {
 namespace {
 
-constexpr double kGravity = 9.80665;
 // Sums of a few hundred terms through a well-conditioned system.
 constexpr double kRoundOff = 1e-10;
 

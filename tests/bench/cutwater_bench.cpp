@@ -1,9 +1,9 @@
 // cutwater_bench [-o FILE.csv]: times the solver and the time domain, one row each:
-//   name,panels,threads,seconds,floor_seconds,checksum
-// `seconds` of a solve is per frequency (radiation, 4 headings, adjoint vectors, x-derivatives; lid
-// on), its floor the LU factorizations it contains, timed here; of a tick per ship and tick, its
-// floor Bullet's own step without hydrodynamics. The checksum is the sum of the answers: a speed-up
-// that changes physics shows.
+//   name,panels,threads,seconds,floor_seconds,budget_seconds,checksum
+// A database's floor is the LU factorizations it contains, timed here and shared out to the threads; a
+// tick's and a fleet's is Bullet's own step without hydrodynamics. A fleet's seconds are for one
+// second of its life. Budgets are the project's for one core of a 2.6 to 3.5 GHz server (two for the
+// databases). The checksum is the sum of the answers: a speed-up that changes physics shows.
 #include <btBulletDynamicsCommon.h>
 #include <lapacke.h>
 
@@ -12,7 +12,7 @@
 #include <string>
 
 #include "demos/BulletWorld.h"
-#include "hydro/Errors.h"
+#include "hydro/AtomicFile.h"
 #include "hydro/bem/BuildCoefficients.h"
 #include "hydro/geometry/Hydrostatics.h"
 #include "hydro/geometry/Lid.h"
@@ -53,6 +53,7 @@ ShipParticulars frigate(int panels) {
   return ship;
 }
 
+// The grid of [M03] Table 4: 0.1 to 6.0 rad/s, four headings; adjoint vectors, x-derivatives, lid.
 SolveSettings sweep(int frequencies, int threads) {
   SolveSettings settings;
   for (int i = 1; i <= frequencies; ++i) settings.omega.push_back(6.0 * i / frequencies);
@@ -60,6 +61,22 @@ SolveSettings sweep(int frequencies, int threads) {
     settings.headings.push_back(degrees * kPi / 180.0);
   settings.threads = threads;
   return settings;
+}
+
+struct Row {
+  std::string name;
+  std::size_t panels = 0;
+  int threads = 1;
+  double seconds = 0.0, floor = 0.0, budget = 0.0, checksum = 0.0;
+};
+
+// Written at once as well as in the end, as the databases take a while.
+void add(std::string& csv, const Row& row) {
+  char line[256];
+  std::snprintf(line, sizeof line, "\"%s\",%zu,%d,%.6g,%.6g,%.6g,%.10g\n", row.name.c_str(),
+                row.panels, row.threads, row.seconds, row.floor, row.budget, row.checksum);
+  csv += line;
+  std::fputs(line, stderr);
 }
 
 // Two complex LU factorizations (even, odd) of n unknowns, one thread [s].
@@ -74,59 +91,70 @@ double luFloor(int n) {
   return 2.0 * one;
 }
 
-void benchSolve(std::FILE* csv) {
-  for (const auto& [panels, frequencies] :
-       {std::pair{224, 12}, std::pair{433, 8}, std::pair{1040, 4}}) {
-    const ShipParticulars ship = frigate(panels);
-    const auto unknowns =
-        static_cast<int>(ship.wetSurface.faces.size() + makeLid(ship.wetSurface, true).size());
-    for (const int threads : {1, 2}) {
-      Coefficients result;
-      const double seconds =
-          secondsOf([&] { result = buildCoefficients(ship, sweep(frequencies, threads)); });
-      double checksum = 0.0;
-      for (const Mat6& a : result.addedMass) checksum += a.trace() / ship.mass;
-      for (const Mat6& b : result.damping) checksum += b.trace() / ship.mass;
-      std::fprintf(csv, "solve_per_frequency,%d,%d,%.6g,%.6g,%.10g\n", panels, threads,
-                   seconds / frequencies, luFloor(unknowns) / threads, checksum);
-      std::fflush(csv);
-    }
-  }
+void benchDatabase(std::string& csv, const std::string& name, int panels, int threads,
+                   double budget) {
+  constexpr int kFrequencies = 60;
+  const ShipParticulars ship = frigate(panels);
+  const auto unknowns =
+      static_cast<int>(ship.wetSurface.faces.size() + makeLid(ship.wetSurface, true).size());
+  Coefficients result;
+  Row row{name, ship.wetSurface.faces.size(), threads};
+  row.seconds = secondsOf([&] { result = buildCoefficients(ship, sweep(kFrequencies, threads)); });
+  row.floor = kFrequencies * luFloor(unknowns) / threads;
+  row.budget = budget;
+  for (const Mat6& a : result.addedMass) row.checksum += a.trace() / ship.mass;
+  for (const Mat6& b : result.damping) row.checksum += b.trace() / ship.mass;
+  add(csv, row);
 }
 
-// Time per ship and tick, and a checksum of where the ships are.
-void benchTicks(std::FILE* csv, const char* name, const Coefficients& coefficients, int ships,
-                int components) {
-  constexpr int kTicks = 600;
+// Seconds that `ticks` of a world with so many ships take, or with as many plain bodies, and the sum
+// of where the ships are then.
+std::pair<double, double> runWorld(const Coefficients& coefficients, int ships, int ticks,
+                                   int components, bool wet) {
   const btScalar tick = btScalar(1) / 60;
   SeaStateSettings settings;
   settings.components = components;
-  double seconds[2], checksum = 0.0;
-  for (const bool wet : {false, true}) {
-    BulletWorld bullet;
-    Seaway seaway(bullet.world, wet ? makeSeaState(Spectrum{}, settings) : SeaState{});
-    btSphereShape shape(5);
-    std::vector<std::unique_ptr<btRigidBody>> dry;
-    for (int i = 0; i < ships; ++i) {
-      if (wet) {
-        seaway.addShip(coefficients, {.y = 100.0 * i});
-        continue;
-      }
-      dry.push_back(
-          std::make_unique<btRigidBody>(btScalar(1), nullptr, &shape, btVector3(1, 1, 1)));
-      dry.back()->setWorldTransform(
-          btTransform(btQuaternion::getIdentity(), btVector3(0, btScalar(100 * i), 0)));
-      bullet.world.addRigidBody(dry.back().get());
+  BulletWorld bullet;
+  Seaway seaway(bullet.world, wet ? makeSeaState(Spectrum{}, settings) : SeaState{});
+  btSphereShape shape(5);
+  std::vector<std::unique_ptr<btRigidBody>> dry;
+  for (int i = 0; i < ships; ++i) {
+    if (wet) {
+      seaway.addShip(coefficients, {.y = 100.0 * i});
+      continue;
     }
-    bullet.world.stepSimulation(tick, 1, tick);
-    seconds[wet ? 1 : 0] = secondsOf([&] {
-      for (int i = 0; i < kTicks; ++i) bullet.world.stepSimulation(tick, 1, tick);
-    });
-    for (const auto& ship : seaway.ships()) checksum += ship->position().z();
-    for (const auto& body : dry) bullet.world.removeRigidBody(body.get());
+    dry.push_back(std::make_unique<btRigidBody>(btScalar(1), nullptr, &shape, btVector3(1, 1, 1)));
+    dry.back()->setWorldTransform(
+        btTransform(btQuaternion::getIdentity(), btVector3(0, btScalar(100 * i), 0)));
+    bullet.world.addRigidBody(dry.back().get());
   }
-  std::fprintf(csv, "%s,%zu,1,%.6g,%.6g,%.10g\n", name, coefficients.ship.wetSurface.faces.size(),
-               seconds[1] / kTicks / ships, seconds[0] / kTicks / ships, checksum);
+  bullet.world.stepSimulation(tick, 1, tick);
+  const double seconds = secondsOf([&] {
+    for (int i = 0; i < ticks; ++i) bullet.world.stepSimulation(tick, 1, tick);
+  });
+  double checksum = 0.0;
+  for (const auto& ship : seaway.ships()) checksum += ship->position().z();
+  for (const auto& body : dry) bullet.world.removeRigidBody(body.get());
+  return {seconds, checksum};
+}
+
+// One tick of one ship.
+void benchTick(std::string& csv, const std::string& name, const Coefficients& coefficients,
+               int components, double budget) {
+  constexpr int kTicks = 6000;
+  const auto [dry, nothing] = runWorld(coefficients, 1, kTicks, components, false);
+  const auto [wet, checksum] = runWorld(coefficients, 1, kTicks, components, true);
+  add(csv, {name, coefficients.ship.wetSurface.faces.size(), 1, wet / kTicks, dry / kTicks, budget,
+            checksum});
+}
+
+// One second of a fleet at 60 Hz.
+void benchFleet(std::string& csv, const std::string& name, const Coefficients& coefficients,
+                int ships, int components) {
+  constexpr int kTicks = 60;
+  const auto [dry, nothing] = runWorld(coefficients, ships, kTicks, components, false);
+  const auto [wet, checksum] = runWorld(coefficients, ships, kTicks, components, true);
+  add(csv, {name, coefficients.ship.wetSurface.faces.size(), 1, wet, dry, 1.0, checksum});
 }
 
 }  // namespace
@@ -135,19 +163,18 @@ int main(int argc, char** argv) try {
   const std::string option = argc > 1 ? argv[1] : "";
   if (argc != 1 && !(argc == 3 && option == "-o"))
     return std::puts("usage: cutwater_bench [-o FILE.csv]"), 2;
-  const std::string path = argc == 3 ? argv[2] : "", temporary = path + ".tmp";
-  std::FILE* csv = path.empty() ? stdout : std::fopen(temporary.c_str(), "w");
-  if (csv == nullptr) return std::perror(temporary.c_str()), 1;
-  std::fprintf(csv, "name,panels,threads,seconds,floor_seconds,checksum\n");
-  benchSolve(csv);
+  std::string csv = "name,panels,threads,seconds,floor_seconds,budget_seconds,checksum\n";
   const Coefficients coefficients = buildCoefficients(frigate(224), sweep(30, 0));
-  benchTicks(csv, "linear_ship_tick_200_components", coefficients, 1, 200);
-  benchTicks(csv, "linear_ship_tick_1_component", coefficients, 1, 1);
-  benchTicks(csv, "fleet_of_100_ships_tick_20_components", coefficients, 100, 20);
-  if (!path.empty()) {
-    if (std::fclose(csv) != 0 || std::rename(temporary.c_str(), path.c_str()) != 0) {
-      return std::perror(path.c_str()), 1;
-    }
+  benchTick(csv, "linear ship, one tick, 6 modes, 200 wave components", coefficients, 200, 2e-6);
+  benchTick(csv, "linear ship, one tick, 6 modes, regular wave", coefficients, 1, 2e-6);
+  benchFleet(csv, "1000 linear ships at 60 Hz, one core", coefficients, 1000, 20);
+  benchDatabase(csv, "medium mesh (433/side)", 433, 1, 0.0);
+  benchDatabase(csv, "medium mesh (433/side)", 433, 2, 2.0);
+  benchDatabase(csv, "database of Table 4, fine mesh (1040/side)", 1040, 2, 10.0);
+  if (argc == 3) {
+    writeWhole(argv[2], csv);
+  } else {
+    std::fputs(csv.c_str(), stdout);
   }
   return 0;
 } catch (const std::exception& error) {

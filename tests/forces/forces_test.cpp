@@ -13,14 +13,13 @@
 namespace cutwater {
 namespace {
 
-using test::boxShip;
-constexpr double kG = test::kBoxGravity, kRho = test::kBoxDensity;
+using test::boxShip, test::kBoxDensity, test::kBoxGravity;
 
 TEST(WaveExcitationClosedForm, LongWavesPressLikeTheSlowlyMovingSurface) {
   // As ω → 0 heave excitation is C33 and the roll moment of a beam wave C44's buoyant part; k =
   // 1e-4/m, so that terms of order kL are 2e-3.
   const Coefficients ship = boxShip();
-  const double omega = std::sqrt(1e-4 * kG);
+  const double omega = std::sqrt(1e-4 * kBoxGravity);
   const CVec6 force = WaveExcitation(ship).at(omega, kPi / 2).froudeKrylov;
   EXPECT_NEAR(std::abs(force[Heave]) / ship.ship.restoring(Heave, Heave), 1.0, 2e-3);
 }
@@ -29,10 +28,10 @@ TEST(WaveExcitationClosedForm, BoxInBeamAndHeadWavesHasTheIntegralOfThePressure)
   // Heave of a box by Froude-Krylov: ρg L B e^{−kT} sinc(kL/2) in head waves, phase e^{ik(x_c −
   // x_G)}.
   const Coefficients ship = boxShip();
-  const double omega = 1.5, k = omega * omega / kG;
+  const double omega = 1.5, k = omega * omega / kBoxGravity;
   const Complex heave = WaveExcitation(ship).at(omega, kPi).froudeKrylov[Heave];
   const double amplitude =
-      kRho * kG * 20.0 * 6.0 * std::exp(-2.0 * k) * std::sin(10.0 * k) / (10.0 * k);
+      kBoxDensity * kBoxGravity * 20.0 * 6.0 * std::exp(-2.0 * k) * std::sin(10.0 * k) / (10.0 * k);
   const Complex expected =
       std::polar(amplitude, -0.5 * k);  // centre half a metre aft of G, head waves
   EXPECT_LT(std::abs(heave - expected), 1e-6 * amplitude);  // the integral's stated accuracy
@@ -79,13 +78,13 @@ TEST(ExcitationForceIdentity, AgreesWithTheComplexAmplitudeAnywhereAndAtAnyTime)
   const Coefficients ship = boxShip();
   const double omega = 1.1, beta = 0.4, course = 0.9, a = 0.7, epsilon = 0.3, x = 30.0, y = -12.0,
                t = 4.4;
-  ExcitationForce force(ship, SeaState({{omega, a, epsilon, beta}}, kG), course);
+  ExcitationForce force(ship, SeaState({{omega, a, epsilon, beta}}, kBoxGravity), course);
   ShipMotion motion;
   motion.time = t;
   motion.meanX = x;
   motion.meanY = y;
   const Vec6 now = force.at(motion);
-  const double k = omega * omega / kG;
+  const double k = omega * omega / kBoxGravity;
   const Complex phasor =
       std::polar(a, omega * t - k * (x * std::cos(beta) - y * std::sin(beta)) + epsilon);
   const CVec6 amplitude = WaveExcitation(ship).at(omega, beta + course).total();
@@ -98,7 +97,7 @@ TEST(ExcitationForceIdentity, AWaveFromTheBowIsAHeadSeaWhateverTheCourse) {
   const Coefficients ship = boxShip();
   const double course = 2.0 * kPi / 3.0;
   // Direction of travel (cos β, −sin β) = −(cos ψ, sin ψ): β = π − ψ.
-  ExcitationForce force(ship, SeaState({{1.0, 1.0, 0.0, kPi - course}}, kG), course);
+  ExcitationForce force(ship, SeaState({{1.0, 1.0, 0.0, kPi - course}}, kBoxGravity), course);
   const Vec6 now = force.at({});
   const CVec6 head = WaveExcitation(ship).at(1.0, kPi).total();
   EXPECT_LT((now - head.real()).norm(), 1e-9 * head.norm());
@@ -110,8 +109,8 @@ TEST(RestoringForce, OpposesHeaveByTheWaterplane) {
   motion.eta[Heave] = 0.1;
   // Moment about G half a metre forward of the waterplane's centre: C53 = −ρg∫x dA = +ρgA·0.5.
   const Vec6 force = RestoringForce(ship).at(motion);
-  EXPECT_NEAR(force[Heave], -kRho * kG * 120.0 * 0.1, 1e-6);
-  EXPECT_NEAR(force[Pitch], -kRho * kG * 120.0 * 0.5 * 0.1, 1e-6);
+  EXPECT_NEAR(force[Heave], -kBoxDensity * kBoxGravity * 120.0 * 0.1, 1e-6);
+  EXPECT_NEAR(force[Pitch], -kBoxDensity * kBoxGravity * 120.0 * 0.5 * 0.1, 1e-6);
 }
 
 TEST(SupplementaryForces, QuadraticRollDampingAlwaysTakesEnergy) {
@@ -138,7 +137,7 @@ TEST(FrequencyResponseClosedForm, LongWavesCarryTheShipLikeARaft) {
   // the 1e-3 by which heave's inertia lifts her is 6 % of this slope at half a metre of lever.
   Coefficients ship = boxShip(Vec3(0.0, 0.0, 0.3));
   for (auto& vectors : ship.adjoint) vectors.setZero();
-  const double k = 2e-4, omega = std::sqrt(k * kG);
+  const double k = 2e-4, omega = std::sqrt(k * kBoxGravity);
   const CVec6 eta = FrequencyResponse(ship).at(omega, kPi);
   EXPECT_NEAR(std::abs(eta[Heave] - 1.0), 0.0, 0.01);
   EXPECT_NEAR(std::abs(eta[Pitch] - Complex(0.0, -k)) / k, 0.0, 0.02);

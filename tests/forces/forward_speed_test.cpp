@@ -11,13 +11,13 @@
 namespace cutwater {
 namespace {
 
-constexpr double kG = test::kBoxGravity, kRho = test::kBoxDensity;
+using test::boxShip, test::kBoxDensity, test::kBoxGravity;
 
 // b and b^x as polynomials that interpolation meets exactly. A real system answers at −ω with the
 // conjugate; b holds a factor i besides, so b(−ω) = −conj b(ω), b^x(−ω) = conj b^x(ω), and a signed ω′
 // can be put into the formula itself.
-Complex omegaVector(double w) { return kRho * Complex(0.2 * w, 0.5 + 0.1 * w * w); }
-Complex speedVector(double w) { return kRho * Complex(0.3 - 0.1 * w * w, 0.2 * w); }
+Complex omegaVector(double w) { return kBoxDensity * Complex(0.2 * w, 0.5 + 0.1 * w * w); }
+Complex speedVector(double w) { return kBoxDensity * Complex(0.3 - 0.1 * w * w, 0.2 * w); }
 
 // The box with all that forward speed needs; ∂A, ∂B such that no two entries are alike.
 Coefficients movingBox() {
@@ -46,18 +46,19 @@ Coefficients movingBox() {
 
 // F_D by its formula with the signed ω′.
 CVec6 expectedDiffraction(const Coefficients& c, double omegaI, double heading, double speed) {
-  const double w = encounterFrequency(omegaI, speed, heading, kG);
+  const double w = encounterFrequency(omegaI, speed, heading, kBoxGravity);
   const PanelMesh mesh = makePanels(c.ship.wetSurface, true);
   const Complex factor = (w * omegaVector(w) + speed * speedVector(w)) / speedVector(0.0);
-  return factor * diffractionForce(c.adjointXZero, mesh, {omegaI, heading, kG}, c.ship.cog);
+  return factor *
+         diffractionForce(c.adjointXZero, mesh, {omegaI, heading, kBoxGravity}, c.ship.cog);
 }
 
 TEST(EncounterFrequencyClosedForm, HeadSeasMeetOftenerFollowingSeasAreOvertaken) {
-  EXPECT_DOUBLE_EQ(encounterFrequency(1.0, 5.0, kPi, kG), 1.0 + 5.0 / kG);
-  EXPECT_DOUBLE_EQ(encounterFrequency(1.0, 5.0, 0.0, kG), 1.0 - 5.0 / kG);
-  EXPECT_LT(encounterFrequency(2.5, 5.0, 0.0, kG), 0.0);
-  EXPECT_NEAR(encounterFrequency(1.0, 5.0, kPi / 2, kG), 1.0, 1e-15);
-  EXPECT_EQ(encounterFrequency(1.0, 0.0, 0.3, kG), 1.0);
+  EXPECT_DOUBLE_EQ(encounterFrequency(1.0, 5.0, kPi, kBoxGravity), 1.0 + 5.0 / kBoxGravity);
+  EXPECT_DOUBLE_EQ(encounterFrequency(1.0, 5.0, 0.0, kBoxGravity), 1.0 - 5.0 / kBoxGravity);
+  EXPECT_LT(encounterFrequency(2.5, 5.0, 0.0, kBoxGravity), 0.0);
+  EXPECT_NEAR(encounterFrequency(1.0, 5.0, kPi / 2, kBoxGravity), 1.0, 1e-15);
+  EXPECT_EQ(encounterFrequency(1.0, 0.0, 0.3, kBoxGravity), 1.0);
 }
 
 TEST(WaveExcitationIdentity, OvertakenWavesAreTheFormulaAtNegativeFrequency) {
@@ -66,11 +67,12 @@ TEST(WaveExcitationIdentity, OvertakenWavesAreTheFormulaAtNegativeFrequency) {
   int overtaken = 0;
   for (const double omegaI : {0.6, 1.2, 1.9, 2.4}) {
     for (const double heading : {0.0, 0.5, 2.0, kPi}) {
-      if (encounterFrequency(omegaI, 6.0, heading, kG) > 4.0) continue;  // the last of the grid
+      if (encounterFrequency(omegaI, 6.0, heading, kBoxGravity) > 4.0)
+        continue;  // the last of the grid
       const CVec6 found = waves.at(omegaI, heading, 6.0).diffraction;
       const CVec6 expected = expectedDiffraction(ship, omegaI, heading, 6.0);
       EXPECT_LT((found - expected).norm(), 1e-12 * expected.norm()) << omegaI << ' ' << heading;
-      overtaken += encounterFrequency(omegaI, 6.0, heading, kG) < 0.0 ? 1 : 0;
+      overtaken += encounterFrequency(omegaI, 6.0, heading, kBoxGravity) < 0.0 ? 1 : 0;
     }
   }
   EXPECT_GE(overtaken, 3);
@@ -87,12 +89,12 @@ TEST(WaveExcitationIdentity, DiffractionIsContinuousThroughZeroEncounterFrequenc
   const Coefficients ship = movingBox();
   for (const auto form : {ForwardSpeedForm::Report, ForwardSpeedForm::Tuck}) {
     const WaveExcitation waves(ship, form);
-    const double omegaI = 1.2, speed = kG / omegaI, epsilon = 1e-7;
-    ASSERT_LT(encounterFrequency(omegaI, speed * (1.0 + epsilon), 0.0, kG), 0.0);
+    const double omegaI = 1.2, speed = kBoxGravity / omegaI, epsilon = 1e-7;
+    ASSERT_LT(encounterFrequency(omegaI, speed * (1.0 + epsilon), 0.0, kBoxGravity), 0.0);
     const CVec6 at = waves.at(omegaI, 0.0, speed).diffraction;
     for (const double side : {-1.0, 1.0}) {
       const CVec6 beside = waves.at(omegaI, 0.0, speed * (1.0 + side * epsilon)).diffraction;
-      EXPECT_LT((beside - at).norm(), 10.0 * epsilon * at.norm() + 1e-6 * kRho);
+      EXPECT_LT((beside - at).norm(), 10.0 * epsilon * at.norm() + 1e-6 * kBoxDensity);
     }
   }
 }
@@ -101,7 +103,7 @@ TEST(WaveExcitationIdentity, TucksSpeedForceComesFromHeaveAndSwayAlone) {
   Coefficients ship = movingBox();
   ship.adjointX.clear();  // not needed
   const double omegaI = 1.1, heading = 2.2, speed = 4.0;
-  const double w = encounterFrequency(omegaI, speed, heading, kG);
+  const double w = encounterFrequency(omegaI, speed, heading, kBoxGravity);
   const CVec6 force =
       WaveExcitation(ship, ForwardSpeedForm::Tuck).at(omegaI, heading, speed).diffraction;
   const CVec6 perOmega = expectedDiffraction(movingBox(), omegaI, heading, 0.0) /
@@ -198,9 +200,9 @@ TEST(WaveExcitation, TableRefusesOtherSpeedsAndTheOtherForm) {
 TEST(ExcitationForceIdentity, AShipUnderWayMeetsThePhasesAtTheEncounterFrequency) {
   const Coefficients ship = movingBox();
   const double omega = 1.9, beta = 0.3, speed = 7.0, t = 5.3;
-  const double omegaE = encounterFrequency(omega, speed, beta, kG);
+  const double omegaE = encounterFrequency(omega, speed, beta, kBoxGravity);
   ASSERT_LT(omegaE, 0.0);
-  ExcitationForce force(ship, SeaState({{omega, 0.5, 0.2, beta}}, kG), 0.0, speed);
+  ExcitationForce force(ship, SeaState({{omega, 0.5, 0.2, beta}}, kBoxGravity), 0.0, speed);
   ShipMotion motion;
   motion.time = t;
   motion.meanX = speed * t;
@@ -214,7 +216,7 @@ TEST(FrequencyResponseIdentity, SolvesTheEquationOfMotionAtSpeedAlsoWhenOvertaki
   const double speed = 6.0;
   for (const auto form : {ForwardSpeedForm::Report, ForwardSpeedForm::Tuck}) {
     for (const double omegaI : {0.9, 2.2}) {
-      const double w = encounterFrequency(omegaI, speed, 0.3, kG);
+      const double w = encounterFrequency(omegaI, speed, 0.3, kBoxGravity);
       const CVec6 eta = FrequencyResponse(ship, {}, form).at(omegaI, 0.3, speed);
       const SpeedCoefficients c = atSpeed(ship, std::abs(w), speed, form);
       // A(U) and B(U) are even in ω′: (5) holds with the signed one.
@@ -229,7 +231,7 @@ TEST(FrequencyResponseIdentity, SolvesTheEquationOfMotionAtSpeedAlsoWhenOvertaki
 
 TEST(FrequencyResponseIdentity, HeaveRollAndPitchAreContinuousWhereTheWavesStandStill) {
   const Coefficients ship = movingBox();
-  const double omegaI = 1.2, speed = kG / (omegaI * std::cos(0.3)), epsilon = 1e-6;
+  const double omegaI = 1.2, speed = kBoxGravity / (omegaI * std::cos(0.3)), epsilon = 1e-6;
   for (const auto form : {ForwardSpeedForm::Report, ForwardSpeedForm::Tuck}) {
     const FrequencyResponse response(ship, {true, true, false, false, false, true}, form);
     const CVec6 at = response.at(omegaI, 0.3, speed);
@@ -243,8 +245,8 @@ TEST(FrequencyResponseIdentity, HeaveRollAndPitchAreContinuousWhereTheWavesStand
 TEST(FrequencyResponse, NamesTheModesThatNothingHoldsWhereTheWavesStandStill) {
   // ω_I = 1.25 is exact in binary, so that ω′ is 0 to the last bit.
   const Coefficients ship = movingBox();
-  const double omegaI = 1.25, speed = kG / omegaI;
-  ASSERT_EQ(encounterFrequency(omegaI, speed, 0.0, kG), 0.0);
+  const double omegaI = 1.25, speed = kBoxGravity / omegaI;
+  ASSERT_EQ(encounterFrequency(omegaI, speed, 0.0, kBoxGravity), 0.0);
   try {
     FrequencyResponse(ship, {}, ForwardSpeedForm::Tuck).at(omegaI, 0.0, speed);
     FAIL();

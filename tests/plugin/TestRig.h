@@ -12,7 +12,6 @@ namespace cutwater::test {
 
 using Info = btRigidBody::btRigidBodyConstructionInfo;
 
-inline constexpr btScalar kTick = btScalar(1) / 64;
 inline constexpr double kH = 1.0 / 64;
 
 // A body with added mass in a world, ticked as Seaway does.

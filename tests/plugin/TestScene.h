@@ -8,8 +8,6 @@
 /// A half sphere afloat in a world of its own.
 namespace cutwater::test {
 
-inline constexpr btScalar kTick = btScalar(1) / 64;
-
 // A half sphere in a world of its own.
 struct Scene {
   explicit Scene(const ShipSettings& start = {}, SeaState sea = {},

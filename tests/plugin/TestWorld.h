@@ -1,9 +1,10 @@
 #pragma once
-#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
-
+#include <Eigen/QR>
+#include <limits>
 #include <random>
 #include <string>
 
+#include "demos/BulletWorld.h"
 #include "plugin/BulletTypes.h"
 
 /// What the plugin's tests share. All of it is compiled once for each precision of Bullet.
@@ -18,16 +19,12 @@ inline std::string withPrecision(const std::string& quantity) {
   return quantity + (kDouble ? ", double Bullet" : ", float Bullet");
 }
 
-/// A stock discrete world without gravity.
-struct TestWorld {
-  explicit TestWorld(double gravity = 0.0) {
-    world.setGravity(btVector3(0, 0, static_cast<btScalar>(-gravity)));
-  }
-  btDefaultCollisionConfiguration configuration;
-  btCollisionDispatcher dispatcher{&configuration};
-  btDbvtBroadphase broadphase;
-  btSequentialImpulseConstraintSolver solver;
-  btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+/// The tests' tick [s]; exact in every precision.
+inline constexpr btScalar kTick = btScalar(1) / 64;
+
+/// A stock discrete world, as a rule without gravity.
+struct TestWorld : BulletWorld {
+  explicit TestWorld(double gravity = 0.0) : BulletWorld(gravity) {}
 };
 
 /// Linear and angular velocity in E.

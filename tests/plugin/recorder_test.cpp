@@ -7,30 +7,14 @@
 #include <fstream>
 #include <sstream>
 
-#include "tests/plugin/TestShip.h"
-#include "tests/plugin/TestWorld.h"
+#include "tests/plugin/TestScene.h"
 
 namespace cutwater::test {
 namespace {
 
-constexpr btScalar kTick = btScalar(1) / 64;
-
-struct Scene {
-  Scene() {
-    Vec6 offset = Vec6::Zero();
-    offset[Heave] = 1.0;
-    ship = &seaway.addShip(coefficients, {.x = 3, .offset = offset, .shape = &shape});
-  }
-  TestWorld world{kSphereGravity};
-  btSphereShape shape{5};
-  Coefficients coefficients = hemisphere();
-  Seaway seaway{world.world};
-  Ship* ship = nullptr;
-};
-
 TEST(Recorder, HasARowForEveryTickWhateverTheCalls) {
-  Scene scene;
-  Recorder recorder(scene.seaway, *scene.ship, {.forces = true});
+  Scene scene({.x = 3, .offset = one(Heave, 1.0)});
+  Recorder recorder(scene.seaway, *scene.sphere, {.forces = true});
   for (int i = 0; i < 3; ++i) scene.world.world.stepSimulation(4 * kTick, 4, kTick);
   ASSERT_EQ(recorder.rows(), 12u);
   ASSERT_EQ(recorder.columns().size(), 14u + 42u);
@@ -44,8 +28,8 @@ TEST(Recorder, HasARowForEveryTickWhateverTheCalls) {
 }
 
 TEST(Recorder, WritesWholeFilesOrNone) {
-  Scene scene;
-  Recorder recorder(scene.seaway, *scene.ship, {.every = 2});
+  Scene scene({.x = 3, .offset = one(Heave, 1.0)});
+  Recorder recorder(scene.seaway, *scene.sphere, {.every = 2});
   for (int i = 0; i < 5; ++i) scene.world.world.stepSimulation(kTick, 1, kTick);
   const auto folder = std::filesystem::temp_directory_path();
   const std::string path =

@@ -11,20 +11,11 @@
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 #include <gtest/gtest.h>
 
-#include "tests/plugin/TestShip.h"
-#include "tests/plugin/TestWorld.h"
+#include "tests/plugin/TestScene.h"
 #include "tests/support/Results.h"
 
 namespace cutwater::test {
 namespace {
-
-constexpr btScalar kTick = btScalar(1) / 64;
-
-Vec6 raised() {
-  Vec6 v = Vec6::Zero();
-  v[Heave] = 1.0;
-  return v;
-}
 
 void run(btDynamicsWorld& world, int ticks) {
   for (int i = 0; i < ticks; ++i) world.stepSimulation(kTick, 1, kTick);
@@ -37,7 +28,7 @@ Vec6 dropIn(btDiscreteDynamicsWorld& world) {
   const Coefficients coefficients = hemisphere();
   Seaway seaway(world);
   const Ship& sphere =
-      seaway.addShip(coefficients, {.heading = 0.3, .offset = raised(), .shape = &shape});
+      seaway.addShip(coefficients, {.heading = 0.3, .offset = one(Heave, 1.0), .shape = &shape});
   run(world, 128);
   EXPECT_EQ(seaway.faults(), kStepOk);
   return sphere.motion();
@@ -113,7 +104,7 @@ TEST(Seaway, LeavesTheUsersCallbacksAndUserInfoAlone) {
   {
     Seaway seaway(plain.world);
     EXPECT_THROW(Seaway{plain.world}, HydroError);  // one per world
-    const Ship& sphere = seaway.addShip(coefficients, {.offset = raised(), .shape = &shape});
+    const Ship& sphere = seaway.addShip(coefficients, {.offset = one(Heave, 1.0), .shape = &shape});
     run(plain.world, 10);
     EXPECT_EQ(calls.before, 10);
     EXPECT_EQ(calls.after, 10);
@@ -156,7 +147,7 @@ Vec6 fallBeside(bool withShip) {
   std::unique_ptr<Seaway> seaway;
   if (withShip) {
     seaway = std::make_unique<Seaway>(plain.world);
-    seaway->addShip(coefficients, {.offset = raised(), .shape = &shape});
+    seaway->addShip(coefficients, {.offset = one(Heave, 1.0), .shape = &shape});
   }
   for (int i = 0; i < 128; ++i) {
     box.applyCentralForce(btVector3(5, 0, 0));
@@ -174,7 +165,7 @@ TEST(SeawayIdentity, ShipsFarApartDoNotNoticeEachOther) {
   const Coefficients coefficients = hemisphere();
   btSphereShape shape(5);
   const auto settings = [&](double x) {
-    return ShipSettings{.x = x, .offset = raised(), .shape = &shape};
+    return ShipSettings{.x = x, .offset = one(Heave, 1.0), .shape = &shape};
   };
   TestWorld lonely(kSphereGravity), busy(kSphereGravity);
   Seaway one(lonely.world), many(busy.world);

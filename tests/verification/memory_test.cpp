@@ -81,10 +81,9 @@ void record(const std::string& mesh, const Distance& d, const RetardationMatrix&
 }
 
 // 224 panels a side, lid panels of 1.5 m so that waves up to 4 rad/s are resolved. Bound: pressure
-// at ω = ∞ goes as z ln z at the waterline, where a panel has one value of it. Refined downwards
-// only, 48 panels along and 9, then 14 around, A22(∞) falls by 4.2 % of itself a metre of depth of
-// the uppermost panels and A22(0.3) by 2.1 % of A22(∞). The difference, 2.1 % a metre, times 1.43 m
-// here is 3.0 %; 0.5 % for all else.
+// at ω = ∞ goes as z ln z at the waterline, where a panel has one value of it. By Galerkin A22(∞) is
+// 1.4 % of itself too high for each metre of depth of the uppermost panels (48 panels along, 9, 18 and
+// 36 around), A22 at finite ω about half of that; 0.55 m here and the lengthwise division leave 1.5 %.
 TEST(MemoryVerification, CoarseFrigateGivesItsAddedMassAtInfinity) {
   std::vector<double> omega = tenths(20);
   for (int i = 0; i < 8; ++i) omega.push_back(2.25 + 0.25 * i);
@@ -95,18 +94,26 @@ TEST(MemoryVerification, CoarseFrigateGivesItsAddedMassAtInfinity) {
   for (int j = 0; j < 6; ++j)
     for (int k = j; k < 6; ++k) {
       if (memory.isZero(j, k)) continue;
-      EXPECT_LT(d.worst(j, k), 0.035) << j + 1 << k + 1;
+      EXPECT_LT(d.worst(j, k), 0.02) << j + 1 << k + 1;
     }
   EXPECT_LT(worstIntegral(memory), 0.005);
 }
 
-// Bound 0.5 %, asserted of the pairs that keep it; the distance of the others is that of the
-// uppermost panels (above), a discretisation error that must fall with N.
+/// 0.05 rad/s up to 2 rad/s, where surge and yaw have narrow peaks, then 0.1.
+std::vector<double> fineGrid() {
+  std::vector<double> omega;
+  for (int i = 2; i <= 40; ++i) omega.push_back(0.05 * i);
+  for (int i = 21; i <= 42; ++i) omega.push_back(0.1 * i);
+  return omega;
+}
+
+// 0.5 % is the acceptance line, which 1040 panels keep in every pair; 433 panels, whose uppermost
+// row is half as deep again, show the same distance larger.
 TEST(MemoryVerification, FrigateGivesItsAddedMassAtInfinity) {
   if (!fullSize()) GTEST_SKIP() << "full size only";
   double before = 1.0;
   for (const auto& [panels, lid] : {std::pair{433, 1.5}, std::pair{1040, 0.0}}) {
-    const Coefficients c = frigate(panels, lid, tenths(60));
+    const Coefficients c = frigate(panels, lid, fineGrid());
     EXPECT_GT(c.resolvedOmega, 4.0);
     const RetardationMatrix memory(c);
     const std::string mesh = std::to_string(panels) + " a side";
@@ -120,10 +127,11 @@ TEST(MemoryVerification, FrigateGivesItsAddedMassAtInfinity) {
     for (int j = 0; j < 6; ++j) worst = std::max(worst, d.worst(j, j));
     EXPECT_LT(worst, before);
     before = worst;
-    EXPECT_LT(d.worst(Heave, Heave), 0.005);
-    if (panels != 1040) continue;
-    EXPECT_LT(d.worst(Roll, Roll), 0.005);
-    EXPECT_LT(d.worst(Heave, Pitch), 0.005);
+    for (int j = 0; j < 6; ++j)
+      for (int k = j; k < 6; ++k)
+        if (!memory.isZero(j, k) && panels == 1040) {
+          EXPECT_LT(d.worst(j, k), 0.005) << j + 1 << k + 1;
+        }
   }
 }
 
