@@ -34,10 +34,20 @@ void check(const ShipParticulars& ship, const SolveSettings& settings) {
   for (const double speed : settings.speeds)
     if (!std::isfinite(speed))
       throw HydroError(Fault::ValueOutOfRange, "buildCoefficients: a speed is not finite");
-  for (const double omega : settings.waveOmega)
-    if (!std::isfinite(omega) || omega <= 0.0)
-      throw HydroError(Fault::ValueOutOfRange,
-                       "buildCoefficients: wave frequency " + std::to_string(omega) + " rad/s");
+  before = 0.0;
+  for (const double omega : settings.waveOmega) {
+    if (!std::isfinite(omega) || omega <= before)
+      throw HydroError(Fault::ValueOutOfRange, "buildCoefficients: wave frequency " +
+                                                   std::to_string(omega) + " rad/s after " +
+                                                   std::to_string(before) +
+                                                   "; they must rise from above 0");
+    before = omega;
+  }
+  if (settings.influence != Influence::Adjoint &&
+      (settings.speeds.empty() || settings.headings.empty() || settings.waveOmega.empty()))
+    throw HydroError(Fault::BadArgument,
+                     "buildCoefficients: a table of diffraction forces needs speeds, headings and "
+                     "wave frequencies");
   if (!(ship.density > 0.0) || !(ship.gravity > 0.0))
     throw HydroError(Fault::ValueOutOfRange,
                      "buildCoefficients: density " + std::to_string(ship.density) +

@@ -73,7 +73,7 @@ std::array<InfluenceSystem<Complex>, 2> InfluenceMatrices::atWaveNumber(double K
   return systems;
 }
 
-/// The parts that need no wave term, the lid's rows at share 1.
+/// The parts that need no wave term, the lid's rows at share 1 and without their own densities.
 void InfluenceMatrices::start(double K, int all, Systems& systems) const {
   const int hull = pairs_.hull(), lid = all - hull;
   for (int p = 0; p < parities(); ++p) {
@@ -99,7 +99,6 @@ void InfluenceMatrices::start(double K, int all, Systems& systems) const {
       R = G.leftCols(hull);
     }
     L.diagonal().head(hull).array() += 0.5;
-    L.diagonal().tail(lid).array() -= 1.0;
   }
 }
 
@@ -107,7 +106,6 @@ void InfluenceMatrices::scaleLid(double share, Systems& systems) const {
   const int hull = pairs_.hull(), lid = pairs_.all() - hull;
   for (int p = 0; p < parities(); ++p) {
     auto& system = systems[static_cast<std::size_t>(p)];
-    system.L.diagonal().tail(lid).array() += 1.0;
     system.L.bottomRows(lid) *= share;
     system.L.diagonal().tail(lid).array() -= 1.0;
     if (!pairs_.isSource()) system.R.bottomRows(lid) *= share;

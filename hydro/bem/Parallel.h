@@ -21,7 +21,7 @@ inline void parallelFor(int count, int threads, const std::function<void(int)>& 
       work(i);
     } catch (...) {
       const std::lock_guard lock(guard);
-      failure = std::current_exception();
+      if (!failure) failure = std::current_exception();
     }
   }
   if (failure) std::rethrow_exception(failure);

@@ -1,5 +1,7 @@
 #include "hydro/bem/RankineMatrices.h"
 
+#include "hydro/bem/Parallel.h"
+
 namespace cutwater {
 namespace {
 
@@ -39,11 +41,10 @@ RankineMatrices::RankineMatrices(const PanelPairs& pairs)
     part.directX.resize(all, all);
     part.imageX.resize(all, all);
   }
-#pragma omp parallel for schedule(dynamic, 8) num_threads(pairs.settings().threads)
-  for (int source = 0; source < all; ++source) {
+  parallelFor(all, pairs.settings().threads, [this](int source) {
     integrate(source);
     findNear(source);
-  }
+  });
 }
 
 void RankineMatrices::integrate(int source) {

@@ -7,6 +7,7 @@
 #include <cblas.h>
 #include <lapacke.h>
 
+#include <algorithm>
 #include <string>
 
 #include "hydro/Errors.h"
@@ -71,7 +72,7 @@ template <typename Scalar>
 double Factorization<Scalar>::condition() const {
   double reciprocal = 0.0;
   check(gecon(static_cast<int>(lu_.rows()), lu_.data(), norm_, &reciprocal), "gecon");
-  return 1.0 / reciprocal;
+  return 1.0 / std::max(reciprocal, 1e-300);  // a finite number goes into the file
 }
 
 template <typename Scalar>

@@ -25,7 +25,7 @@ class Check {
     expect("added_mass", c_.addedMass.size(), n);
     expect("damping", c_.damping.size(), n);
     optional("added_mass_x", c_.addedMassX.size(), n);
-    optional("damping_x", c_.dampingX.size(), n);
+    expect("damping_x", c_.dampingX.size(), c_.addedMassX.size());
     optional("condition_even", c_.conditionEven.size(), n);
     optional("condition_odd", c_.conditionOdd.size(), n);
     optional("masked", c_.masked.size(), n);

@@ -96,7 +96,7 @@ struct Coefficients {
   std::vector<std::vector<CVec6>> diffraction;   ///< [heading][frequency]
 
   /// Adjoint vectors, 6 × panels: F^ω_j = Σ_i b_j,i v_i and F^U_j = Σ_i b^x_j,i v_i over all panels,
-  /// v = −∂φ_I/∂n at the panel centroids; of a symmetric hull the port panels, to be used with twice
+  /// v = −∂φ_I/∂n, its mean over each panel; of a symmetric hull the port panels, to be used with twice
   /// the even (j = 1, 3, 5) or odd part of v. F_D = ω_e F^ω + U F^U.            [M03] (88)-(91)
   ///     b_j = iρ Rᵀ L⁻ᵀ w_j,   b^x_j = −ρ(n_x∘w_j + Rᵀ L⁻ᵀ Tᵀ n_j)
   /// [frequency]; empty if not computed.

@@ -29,14 +29,6 @@ void requireData(const char* function, const Coefficients& c, std::size_t count,
                    fmt::format("{}: the database holds no {}", function, what));
 }
 
-/// Number of frequencies that the panels resolve, at least one.
-std::size_t resolvedCount(const Coefficients& c) {
-  if (!(c.resolvedOmega > 0.0)) return c.omega.size();
-  const auto above =
-      std::upper_bound(c.omega.begin(), c.omega.end(), c.resolvedOmega * (1.0 + 1e-9));
-  return std::max<std::size_t>(1, static_cast<std::size_t>(above - c.omega.begin()));
-}
-
 std::vector<double> nodesFromZero(const Coefficients& c, std::size_t count) {
   std::vector<double> nodes(1, 0.0);
   nodes.insert(nodes.end(), c.omega.begin(), c.omega.begin() + static_cast<std::ptrdiff_t>(count));
@@ -104,6 +96,14 @@ Adjoint vectorsAt(const char* function, const Coefficients& c, const std::vector
 }
 
 }  // namespace
+
+std::size_t resolvedCount(const Coefficients& c) {
+  if (!(c.resolvedOmega > 0.0)) return c.omega.size();
+  constexpr std::ptrdiff_t kLeast = 8;
+  const auto end = std::upper_bound(c.omega.begin(), c.omega.end(), c.resolvedOmega * (1.0 + 1e-9));
+  const auto count = end - c.omega.begin();
+  return count >= kLeast ? static_cast<std::size_t>(count) : c.omega.size();
+}
 
 LocalCubic localCubic(std::span<const double> nodes, double x) {
   LocalCubic local;

@@ -16,6 +16,11 @@ struct LocalCubic {
 /// @param nodes strictly increasing, not empty.  @param x within [nodes.front(), nodes.back()].
 LocalCubic localCubic(std::span<const double> nodes, double x);
 
+/// How many of the frequencies the panels resolve (Coefficients::resolvedOmega): what lies above is
+/// neither interpolated nor transformed. All of them if that is not known or would leave fewer than
+/// eight, too few to say anything.
+std::size_t resolvedCount(const Coefficients& coefficients);
+
 /// A(ω) at any ω ≥ 0 [rad/s], ω = ∞ included: local cubic through A(0) and the data; beyond the
 /// last frequency Ω the limit is approached as A(∞) + (A(Ω) − A(∞))(Ω/ω)², since A(ω) −
 /// A(∞) falls as −K(0)/ω².

@@ -34,15 +34,15 @@ void checkEnvelope(const char* name, const Envelope& envelope) {
   }
 }
 
-/// The coefficients of the frequencies that are not masked.
-Coefficients regularPart(const Coefficients& c) {
+/// The coefficients of the frequencies that are kept.
+Coefficients regularPart(const Coefficients& c, const std::vector<bool>& kept) {
   Coefficients good = c;
   good.resolvedOmega = 0.0;  // nothing here is to be cut off
   const auto keep = [&](auto& list) {
     if (list.empty()) return;
     std::size_t to = 0;
-    for (std::size_t i = 0; i < c.masked.size(); ++i) {
-      if (c.masked[i] == 0) list[to++] = list[i];
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      if (kept[i]) list[to++] = list[i];
     }
     list.resize(to);
   };
@@ -116,22 +116,24 @@ std::vector<int> irregularFrequencies(const Coefficients& c) {
 
 Coefficients applyMask(Coefficients c) {
   c.masked = irregularFrequencies(c);
-  const auto count = std::count(c.masked.begin(), c.masked.end(), 1);
-  if (count == 0) return c;
-  const auto left = static_cast<std::ptrdiff_t>(c.omega.size()) - count;
+  const std::size_t resolved = resolvedCount(c);
+  std::vector<bool> kept(c.omega.size(), false);
+  for (std::size_t i = 0; i < resolved; ++i) kept[i] = c.masked.empty() || c.masked[i] == 0;
+  const auto left = std::count(kept.begin(), kept.end(), true);
+  if (left == static_cast<std::ptrdiff_t>(kept.size())) return c;
   if (left < 2) {
     throw HydroError(Fault::DatabaseIncomplete,
                      fmt::format("applyMask: the condition limits leave {} of {} frequencies, at "
                                  "least 2 are needed",
                                  left, c.omega.size()));
   }
-  const Coefficients good = regularPart(c);
+  const Coefficients good = regularPart(c, kept);
   PanelMesh panels;
   if (!c.adjoint.empty() && !c.ship.wetSurface.faces.empty()) {
     panels = solverPanels(c.ship.wetSurface, c.ship.symmetric, c.curvedPanels);
   }
   for (std::size_t i = 0; i < c.omega.size(); ++i) {
-    if (c.masked[i] == 0) continue;
+    if (kept[i]) continue;
     fillRadiation(c, good, i);
     fillDiffraction(c, good, i, panels);
   }

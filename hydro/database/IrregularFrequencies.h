@@ -11,8 +11,8 @@ double conditionLimitAt(const std::vector<std::pair<double, double>>& envelope, 
 /// envelope the mask the coefficients already have (empty: none).
 std::vector<int> irregularFrequencies(const Coefficients& coefficients);
 
-/// The same coefficients with `masked` set by irregularFrequencies and everything at those
-/// frequencies interpolated from the others, all of them: A, B, ∂A, ∂B and adjoint vectors as in
+/// The same coefficients with `masked` set by irregularFrequencies, and everything at those
+/// frequencies and at those the panels do not resolve (resolvedCount) from the others, all of them: A, B, ∂A, ∂B and adjoint vectors as in
 /// Interpolation.h, through their limits at ω = 0 and towards those at ω = ∞ (adjoint vectors
 /// without such limits are held). Diffraction forces at the headings of the table follow from the
 /// adjoint vectors; without any they are interpolated themselves, held at the ends. F_I and a

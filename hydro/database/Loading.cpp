@@ -40,15 +40,18 @@ double lengthOf(const ShipParticulars& ship) {
 void checkCentre(const ShipParticulars& ship, const Vec3& cog) {
   if (!cog.allFinite()) refuse(Fault::ValueOutOfRange, "cog is not finite");
   const double length = lengthOf(ship);
+  const double beam = bounds(ship.wetSurface).high.y() - bounds(ship.wetSurface).low.y();
   for (const int axis : {0, 1}) {
+    const double across = ship.wetSurface.faces.empty() ? 0.1 * length : beam;
+    const double extent = axis == 0 ? length : across;
     const double miss = std::abs(cog[axis] - ship.centreOfBuoyancy[axis]);
     const double before = std::abs(ship.cog[axis] - ship.centreOfBuoyancy[axis]);
-    if (miss > kTolerance * length && miss > before + 1e-9 * length) {
+    if (miss > kTolerance * extent && miss > before + 1e-9 * length) {
       refuse(Fault::ValueOutOfRange,
              fmt::format(
-                 "cog {} = {:.6g} m: the centre of buoyancy is at {:.6g} m, more than 0.1 % of the "
-                 "length {:.4g} m away; she would {}, solve again with that wetted surface",
-                 axis == 0 ? "x" : "y", cog[axis], ship.centreOfBuoyancy[axis], length,
+                 "cog {} = {:.6g} m: the centre of buoyancy is at {:.6g} m, more than 0.1 % of "
+                 "{:.4g} m away; she would {}, solve again with that wetted surface",
+                 axis == 0 ? "x" : "y", cog[axis], ship.centreOfBuoyancy[axis], extent,
                  axis == 0 ? "trim" : "heel"));
     }
   }

@@ -12,7 +12,7 @@ namespace cutwater {
 /// are, now about G′.
 /// @param mass [kg] > 0; must equal ρV to 0.1 %, or as well as the mass before.
 /// @param cog  G′ in hull axes [m]; must stand over the centre of buoyancy to 0.1 % of the length along
-///             and across, or as well as G before: else she floats otherwise, and that is another
+///             and of the beam across, or as well as G before: else she floats otherwise, and that is another
 ///             wetted surface.
 /// @param gyradii [m] about G′, > 0 (0 where the database has 0: not known).
 /// @throws HydroError ValueOutOfRange naming value and bound; BadArgument if y_G moves on a hull solved

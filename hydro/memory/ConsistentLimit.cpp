@@ -1,7 +1,10 @@
 #include "hydro/memory/ConsistentLimit.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
+
+#include "hydro/database/Interpolation.h"
 
 namespace cutwater {
 
@@ -14,22 +17,38 @@ double largest(const Mat6& difference, const Vec6& size) {
   return difference.cwiseQuotient(size * size.transpose()).cwiseAbs().maxCoeff();
 }
 
+/// √A_jj, but not less than a trifle of the translations', so that a mode without added mass (the yaw
+/// of a body of revolution) does not make round-off look significant.
+Vec6 sizeOf(const Mat6& addedMass, double volume) {
+  const double length = std::cbrt(std::max(volume, 1e-12));
+  const double least = 1e-6 * addedMass.diagonal().head<3>().maxCoeff();
+  Vec6 size = addedMass.diagonal();
+  size.head<3>() = size.head<3>().cwiseMax(least);
+  size.tail<3>() = size.tail<3>().cwiseMax(least * length * length);
+  return size.cwiseSqrt();
+}
+
+/// The ω = ∞ solution itself, whether or not the consistent value has taken its place.
+Mat6 directLimit(const Coefficients& c) {
+  const Mat6& direct = c.addedMassInfDirect.isZero(0.0) ? c.addedMassInf : c.addedMassInfDirect;
+  return 0.5 * (direct + direct.transpose());
+}
+
 }  // namespace
 
 ConsistentLimit consistentLimit(const Coefficients& c) {
   const RetardationMatrix memory(c);
-  double last = c.omega.back();
-  if (c.resolvedOmega > 0.0) last = std::min(last, c.resolvedOmega);
+  const double last = c.omega[resolvedCount(c) - 1];
   std::vector<Mat6> values;
   for (std::size_t i = 0; i < c.omega.size(); ++i) {
     if (c.omega[i] < kBandStart * last || c.omega[i] > kBandEnd * last) continue;
     values.push_back(memory.addedMassInf(c.omega[i], c.addedMass[i]));
   }
   ConsistentLimit limit;
-  const Mat6 direct = 0.5 * (c.addedMassInf + c.addedMassInf.transpose());
-  if (values.empty() || !(direct.diagonal().minCoeff() > 0.0)) return limit;
+  const Mat6 direct = directLimit(c);
+  if (values.empty() || !(direct.diagonal().head<3>().maxCoeff() > 0.0)) return limit;
   for (const Mat6& value : values) limit.addedMassInf += value / static_cast<double>(values.size());
-  const Vec6 size = direct.diagonal().cwiseSqrt();
+  const Vec6 size = sizeOf(direct, c.ship.volume);
   for (const Mat6& value : values) {
     limit.scatter = std::max(limit.scatter, largest(value - limit.addedMassInf, size));
   }
@@ -41,13 +60,12 @@ ConsistentLimit consistentLimit(const Coefficients& c) {
 Coefficients withConsistentLimit(Coefficients coefficients) {
   const ConsistentLimit limit = consistentLimit(coefficients);
   if (!limit.trusted) return coefficients;
-  coefficients.addedMassInfDirect = coefficients.addedMassInf;
+  if (coefficients.addedMassInfDirect.isZero(0.0))
+    coefficients.addedMassInfDirect = coefficients.addedMassInf;
   coefficients.addedMassInf = limit.addedMassInf;
-  if (coefficients.resolvedOmega <= 0.0) return coefficients;
   const RetardationMatrix memory(coefficients);
-  for (std::size_t i = 0; i < coefficients.omega.size(); ++i) {
+  for (std::size_t i = resolvedCount(coefficients); i < coefficients.omega.size(); ++i) {
     const double omega = coefficients.omega[i];
-    if (omega <= coefficients.resolvedOmega) continue;
     coefficients.damping[i] = memory.damping(omega);
     coefficients.addedMass[i] = limit.addedMassInf - memory.sineTransform(omega) / omega;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
+#include "hydro/database/Interpolation.h"
 #include "hydro/memory/FourierPieces.h"
 #include "hydro/memory/RetardationFunction.h"
 
@@ -32,16 +33,6 @@ double medianStep(const std::vector<double>& nodes) {
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::nth_element(steps.begin(), middle, steps.end());
   return *middle;
-}
-
-/// How many of the frequencies the panels resolve; all, if that is not known or would leave too few
-/// to say anything.
-std::size_t resolvedCount(const Coefficients& coefficients) {
-  const auto& omega = coefficients.omega;
-  constexpr std::ptrdiff_t kLeast = 8;
-  const auto end = std::upper_bound(omega.begin(), omega.end(), coefficients.resolvedOmega);
-  const bool cut = coefficients.resolvedOmega > 0.0 && end - omega.begin() >= kLeast;
-  return cut ? static_cast<std::size_t>(end - omega.begin()) : omega.size();
 }
 
 }  // namespace

@@ -19,20 +19,33 @@ int pointsFor(double halfPhase) {
   return n;
 }
 
-/// ∫ e^{...} n_j dS over one panel and, if `both`, over its starboard image; r from G.
-void addPanel(const Panel& panel, const AiryWave& wave, const Vec3& cog, bool both, CVec6& sum) {
-  const double halfPhase = 0.5 * wave.waveNumber() * diameter(panel);
+/// Gauss points for a wave on a panel, quarters of it first where the wave is short; the weights add up
+/// to the area.
+void addPoints(const Panel& panel, double waveNumber, std::vector<QuadraturePoint>& points) {
+  const double halfPhase = 0.5 * waveNumber * diameter(panel);
   if (halfPhase > 3.2) {
-    for (const Panel& part : quarters(panel)) addPanel(part, wave, cog, both, sum);
+    for (const Panel& part : quarters(panel)) addPoints(part, waveNumber, points);
     return;
   }
+  const auto own = panelQuadrature(panel, pointsFor(halfPhase));
+  points.insert(points.end(), own.begin(), own.end());
+}
+
+std::vector<QuadraturePoint> pointsOn(const Panel& panel, double waveNumber) {
+  std::vector<QuadraturePoint> points;
+  addPoints(panel, waveNumber, points);
+  return points;
+}
+
+/// ∫ e^{...} n_j dS over one panel and, if `both`, over its starboard image; r from G.
+void addPanel(const Panel& panel, const AiryWave& wave, const Vec3& cog, bool both, CVec6& sum) {
   const Vec3 origin(cog.x(), cog.y(), 0.0);
   const auto add = [&](const Vec3& x, const Vec3& n, double weight) {
     const Complex e = weight * wave.shape(x - origin);
     sum.head<3>() += e * n;
     sum.tail<3>() += e * (x - cog).cross(n);
   };
-  for (const QuadraturePoint& point : panelQuadrature(panel, pointsFor(halfPhase))) {
+  for (const QuadraturePoint& point : pointsOn(panel, wave.waveNumber())) {
     add(point.x, panel.normal, point.weight);
     if (both) add(mirrored(point.x), mirrored(panel.normal), point.weight);
   }
@@ -53,14 +66,22 @@ IncidentVelocity incidentNormalVelocity(const PanelMesh& mesh, const AiryWave& w
   const auto velocity = [&](const Vec3& x, const Vec3& n) -> Complex {
     return -(wave.velocity(x - origin).transpose() * n).value();
   };
+  const auto mean = [&](const Panel& panel, const std::vector<QuadraturePoint>& points, auto side) {
+    Complex sum = 0.0;
+    for (const QuadraturePoint& point : points)
+      sum += point.weight / panel.area * velocity(side(point.x), side(panel.normal));
+    return sum;
+  };
+  const auto itself = [](const Vec3& x) { return x; };
   const auto count = static_cast<Eigen::Index>(mesh.panels.size());
   IncidentVelocity v{Eigen::VectorXcd(count), Eigen::VectorXcd(mesh.symmetric ? count : 0)};
   for (Eigen::Index i = 0; i < count; ++i) {
     const Panel& panel = mesh.panels[static_cast<std::size_t>(i)];
-    const Complex port = velocity(panel.centroid, panel.normal);
+    const auto points = pointsOn(panel, wave.waveNumber());
+    const Complex port = mean(panel, points, itself);
     v.even[i] = port;
     if (!mesh.symmetric) continue;
-    const Complex starboard = velocity(mirrored(panel.centroid), mirrored(panel.normal));
+    const Complex starboard = mean(panel, points, mirrored);
     v.even[i] = 0.5 * (port + starboard);
     v.odd[i] = 0.5 * (port - starboard);
   }
