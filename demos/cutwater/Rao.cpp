@@ -39,7 +39,7 @@ void rao(const std::string& database, const WaveOptions& options, const LoadingO
          const std::string& out) {
   Coefficients coefficients = readDatabase(database, options.moving);
   naming(database, [&] { coefficients = loaded(coefficients, loading); });
-  const FrequencyResponse response(coefficients);
+  const FrequencyResponse response(coefficients, {}, options.moving.form());
   const double heading = headingRadians(options.headingDeg), speed = options.moving.speed;
   Csv csv("omega,omega_e,j,amplitude,phase_deg");
   int slow = 0;

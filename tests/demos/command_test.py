@@ -183,6 +183,26 @@ class ForwardSpeed(Files):
         else:
             self.refused(["rao", DATABASE, "--speed", "8", "--heading", "180"], "frigate.h5", "speed = 8")
 
+    def test_a_table_of_one_form_is_not_read_as_the_other(self):
+        ship = self.path("s.toml", SHIP + """[solve]
+omega = [0.5, 1.0, 1.5]
+wave_omega = [0.5, 0.8]
+speeds = [0.0, 5.0]
+influence = "direct"
+forward_speed = "report"
+""")
+        database = self.path("direct.h5")
+        done = call("solve", ship, "-o", database)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        at_speed = [database, "--speed", "5", "--heading", "180", "--omega", "0.5:0.8:2"]
+        own = table("excitation", *at_speed)
+        self.assertEqual(own, table("excitation", *at_speed, "--form", "report"))
+        self.refused(["excitation", *at_speed, "--form", "tuck"], "direct.h5", "other form")
+        self.refused(["rao", *at_speed, "--form", "tuck"], "direct.h5", "other form")
+        # Radiation needs no table: A and B of either form are there.
+        self.assertNotEqual(table("coefficients", database, "--speed", "5"),
+                            table("coefficients", database, "--speed", "5", "--form", "tuck"))
+
 
 class Loading(Files):
     BEAM = ["rao", DATABASE, "--heading", "90", "--omega", "0.5:0.6:2"]
