@@ -265,6 +265,8 @@ class Errors(Files):
             (SHIP + "mass = nan\n", ["mass", "nan"]),
             (SHIP + "[water]\ndensity = \"salt\"\n", ["density", "salt", "number"]),
             (SHIP + "[solve]\nomega = [0.2, 0.1]\n", ["omega", "increase"]),
+            (SHIP + "[solve]\nomega = [0.8]\n", ["s.toml", "[solve] omega", "0.8", "at least 2"]),
+            (SHIP + "[solve]\nomega = [0.5, 1.5]\nwave_omega = [0.5, 1.75]\n", ["wave_omega", "1.75", "1.5"]),
             (SHIP + "[solve]\nspeeds = [-5.0]\n", ["speeds", "-5"]),
             (SHIP + "[solve]\nsource_points = 3\n", ["source_points", "3", "auto"]),
             (SHIP + "[solve]\ngalerkin_points = \"auto\"\n", ["galerkin_points", "auto"]),
@@ -286,6 +288,17 @@ class Errors(Files):
             (RUN.replace("0.8", "9.0"), ["omega = 9 rad/s"]),
         ):
             self.refused(["simulate", self.path("r.toml", text)], *words)
+
+    def test_default_wave_frequencies_stay_within_omega(self):
+        for omega, expected in (("[0.5, 0.75, 1.0]", (11, 0.5, 1.0)), ("[3.0, 4.0]", (2, 3.0, 4.0))):
+            ship = self.path("s.toml", SHIP + f"[solve]\nomega = {omega}\nlid = false\n")
+            database = self.path("s.h5")
+            done = call("solve", ship, "-o", database)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            waves = sorted({float(row["omega"]) for row in table("excitation", database, "--heading", "180")})
+            self.assertEqual(len(waves), expected[0])
+            self.assertAlmostEqual(waves[0], expected[1])
+            self.assertAlmostEqual(waves[-1], expected[2])
 
     def test_missing_and_damaged_files_are_named(self):
         self.refused(["info", self.path("none.h5")], "none.h5")
