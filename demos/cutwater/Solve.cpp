@@ -21,19 +21,18 @@ void solve(const std::string& path, const std::string& database, int threads) {
              ship.particulars.wetSurface.faces.size(), ship.particulars.symmetric ? " a side" : "",
              ship.solve.omega.size(), ship.solve.headings.size());
   Progress progress("solve");
-  Coefficients coefficients = buildCoefficients(
-      ship.particulars, ship.solve, [&progress](int done, int total) { progress.at(done, total); });
-  const std::vector<double>& waveOmega = ship.solve.waveOmega;
-  coefficients.waveOmega = waveOmega;
-  coefficients.forwardSpeed = ship.solve.forwardSpeed;
-  coefficients.conditionLimitEven = ship.solve.conditionLimitEven;
-  coefficients.conditionLimitOdd = ship.solve.conditionLimitOdd;
-  naming(path, [&] { coefficients = withConsistentLimit(applyMask(std::move(coefficients))); });
+  Coefficients coefficients;
+  naming(path, [&] {
+    coefficients = withConsistentLimit(applyMask(buildCoefficients(
+        ship.particulars, ship.solve,
+        [&progress](int done, int total) { progress.at(done, total); })));
+  });
   if (const auto left = std::count(coefficients.masked.begin(), coefficients.masked.end(), 1);
       left > 0) {
     fmt::print(stderr, "solve: {} of {} frequencies masked and interpolated\n", left,
                coefficients.omega.size());
   }
+  const std::vector<double>& waveOmega = ship.solve.waveOmega;
   if (coefficients.resolvedOmega > 0.0 && coefficients.resolvedOmega < waveOmega.back()) {
     warn(
         fmt::format("{}: the panels resolve waves up to {:.2f} rad/s only, wave_omega ends at "
@@ -41,8 +40,9 @@ void solve(const std::string& path, const std::string& database, int threads) {
                     path, coefficients.resolvedOmega, waveOmega.back()));
   }
   constexpr double kStep = 0.05, kDuration = 30.0;  // of K for the readers of BEMIO [s]
-  writeCoefficients(coefficients, database,
-                    RetardationMatrix(coefficients).table(kStep, kDuration));
+  ImpulseResponse memory;
+  naming(path, [&] { memory = RetardationMatrix(coefficients).table(kStep, kDuration); });
+  writeCoefficients(coefficients, database, memory);
 }
 
 }  // namespace cutwater::command
