@@ -235,9 +235,22 @@ condition_limit_even = [[1.1, 1e12], [1.19, 1.0], [1.21, 1.0], [1.3, 1e12]]
         names = {row["name"]: row["value"] for row in table("info", database)}
         self.assertEqual(names["masked_frequencies"], "1")
         self.assertEqual(names["masked_omega"], "1.2")
+        self.assertIn("condition limits with lid = true", done.stderr)
+        self.assertNotIn("condition_limit_odd", done.stderr)
         nothing = self.path("n.toml", SHIP + "[solve]\nomega = [0.5, 1.0]\nwave_omega = 0.5\n"
                             "condition_limit_even = [[1.0, 1.0]]\n")
         self.refused(["solve", nothing, "-o", self.path("n.h5")], "n.toml", "0 of 2")
+
+    def test_a_limit_of_odd_modes_needs_symmetry(self):
+        ship = self.path("w.toml", SHIP.replace("[mass]", "symmetric = \"none\"\n[mass]") + """[solve]
+omega = [0.5, 1.0]
+lid = false
+condition_limit_odd = [[1.0, 1e12]]
+""")
+        done = call("solve", ship, "-o", self.path("w.h5"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("w.toml: [solve] condition_limit_odd", done.stderr)
+        self.assertNotIn("lid = true", done.stderr)
 
 
 class Errors(Files):
