@@ -105,6 +105,13 @@ double headingRadians(double degrees) {
   return degrees * kPi / 180.0;
 }
 
+void warnIfUnresolved(const std::string& file, const Coefficients& coefficients, double omega) {
+  const double resolved = coefficients.resolvedOmega;
+  if (!(resolved > 0.0) || omega <= resolved * (1.0 + 1e-9)) return;
+  warn(fmt::format("{}: panels resolve waves up to {:.2f} rad/s, these go up to {:.2f}", file,
+                   resolved, omega));
+}
+
 void warn(const std::string& line) {
   if (!line.empty()) fmt::print(stderr, "cutwater: warning: {}\n", line);
 }

@@ -18,6 +18,7 @@ void excitation(const std::string& database, const WaveOptions& options, const s
     }
   };
   const auto omegas = omegaList(options.omegaRange, defaultWaveOmega(coefficients));
+  warnIfUnresolved(database, coefficients, omegas.back());
   naming(database, [&] {
     for (const double omega : omegas) add(omega);
   });

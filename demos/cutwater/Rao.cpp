@@ -52,6 +52,7 @@ void rao(const std::string& database, const WaveOptions& options, const LoadingO
     }
   };
   const auto omegas = omegaList(options.omegaRange, defaultWaveOmega(coefficients));
+  warnIfUnresolved(database, coefficients, omegas.back());
   naming(database, [&] {
     for (const double omega : omegas) add(omega);
   });

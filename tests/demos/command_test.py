@@ -127,6 +127,20 @@ class Tables(Files):
         self.assertNotEqual(double[-1]["z"], single[-1]["z"])
         self.assertAlmostEqual(float(double[-1]["z"]), float(single[-1]["z"]), delta=1e-4)
 
+    def test_waves_shorter_than_the_panels_resolve_are_warned_of_once(self):
+        resolved = next(float(row["value"]) for row in table("info", DATABASE) if row["name"] == "omega_resolved")
+        self.assertLess(resolved, 5)
+        words = f"frigate.h5: panels resolve waves up to {resolved:.2f} rad/s"
+        for omega, warnings in ((resolved - 0.1, 0), (resolved + 0.1, 1)):
+            run = self.path("run.toml", RUN.replace("0.8", str(omega)))
+            for arguments in (["excitation", DATABASE, "--heading", "180", "--omega", f"0.5:{omega}:5"],
+                              ["rao", DATABASE, "--heading", "180", "--omega", f"0.5:{omega}:5"],
+                              ["simulate", run], ["sweep", run.replace("run.toml", "sweep.toml")]):
+                self.path("sweep.toml", RUN.replace("0.8", f"[{omega}]").replace("4.0", "20.0"))
+                done = call(*arguments)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(done.stderr.count(words), warnings, done.stderr)
+
     def test_output_file_equals_stdout(self):
         target = self.path("o.csv")
         self.assertEqual(call("rao", DATABASE, "--heading", "30", "-o", target).returncode, 0)
