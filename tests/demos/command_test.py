@@ -87,6 +87,9 @@ class Tables(Files):
         self.assertEqual(list(rows[0]), "omega omega_e j amplitude phase_deg".split())
         self.assertAlmostEqual(float(rows[2]["amplitude"]), 1, delta=0.02)
         self.assertAlmostEqual(float(rows[2]["phase_deg"]), 0, delta=2)
+        for row in table("rao", DATABASE, "--heading", "37"):
+            self.assertGreater(float(row["phase_deg"]), -180)
+            self.assertLessEqual(float(row["phase_deg"]), 180)
         for odd in (1, 3, 5):  # head seas: no sway, roll, yaw
             self.assertLess(float(rows[odd]["amplitude"]), 1e-9)
 
@@ -101,6 +104,8 @@ class Tables(Files):
         self.assertEqual(list(rows[0]), "tau j k K0 KU KUU".split())
         k33 = [float(row["K0"]) for row in rows if row["j"] == "3" and row["k"] == "3"]
         self.assertEqual(len(k33), 301)
+        short = table("retardation", DATABASE, "--dt", "0.3", "--duration", "1.1")
+        self.assertAlmostEqual(float(short[-1]["tau"]), 0.9)
         whole = 0.1 * (sum(k33) - 0.5 * (k33[0] + k33[-1]))
         self.assertLess(abs(whole), 0.01 * 0.1 * sum(map(abs, k33)))  # 0.5 % and as much for the trapezoid
 
@@ -108,6 +113,7 @@ class Tables(Files):
         names = {row["name"]: row["value"] for row in table("info", DATABASE)}
         self.assertEqual(float(names["frequencies"]), 60)
         self.assertEqual(names["code"], "Cutwater")
+        self.assertNotEqual(float(names["check_damping_smallest_diagonal"]), 0)
 
     def test_simulate_columns_and_start(self):
         run = self.path("run.toml", RUN)
@@ -231,7 +237,10 @@ class Loading(Files):
     def test_another_waterline_is_refused(self):
         self.refused([*self.BEAM, "--mass", "1e6"], "frigate.h5", "mass = 1000000", "displaces")
         self.refused([*self.BEAM, "--cog", "5,0,1"], "frigate.h5", "cog x = 5", "buoyancy")
-        self.refused([*self.BEAM, "--cog", "5,0"], "--cog", "5,0")
+        done = call(*self.BEAM, "--cog", "5,0")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("--cog 5,0: must be three numbers", done.stderr)
+        self.assertNotIn("frigate.h5", done.stderr)
         self.refused([*self.BEAM, "--gyradii", "5,-1,1"], "gyradii", "-1")
 
 
