@@ -29,12 +29,13 @@ void append(Csv& csv, double omega, const SpeedCoefficients& moving, const Slope
 
 void coefficients(const std::string& database, const SpeedOptions& moving, const std::string& out) {
   const Coefficients c = readDatabase(database, moving);
+  const ForwardSpeedForm form = moving.form().value_or(c.forwardSpeed);
   const bool computed = !c.addedMassX.empty();
   if (!computed) warn(database + ": holds no x-derivatives: dA_dx and dB_dx are nan");
   const Mat6 zero = Mat6::Zero();
   Csv csv("omega,j,k,A,B,dA_dx,dB_dx");
   const auto add = [&](double omega, const Mat6& addedMassX, const Mat6& dampingX) {
-    append(csv, omega, atSpeed(c, omega, moving.speed, c.forwardSpeed),
+    append(csv, omega, atSpeed(c, omega, moving.speed, form),
            computed ? Slopes{&addedMassX, &dampingX} : Slopes{nullptr, nullptr});
   };
   naming(database, [&] {

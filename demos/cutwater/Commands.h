@@ -17,7 +17,8 @@ void info(const std::string& database, const std::string& out);
 /// Forward speed U [m/s] and the form of its terms: "report", "tuck", or "" for the database's own.
 struct SpeedOptions {
   double speed = 0.0;
-  std::string form;
+  std::string formName;
+  std::optional<ForwardSpeedForm> form() const;  ///< absent: the database's own
 };
 /// One heading, wave frequencies A:B:N ("" for the solve's).
 struct WaveOptions {
@@ -43,7 +44,7 @@ void sweep(const std::string& run, int threads, const std::string& out);
 std::vector<double> omegaList(const std::string& range, const std::vector<double>& fallback);
 /// The wave frequencies at which tables are written by default.
 const std::vector<double>& defaultWaveOmega(const Coefficients& coefficients);
-/// The database with `moving.form` as its form; prints the warning of a foreign file.
+/// The database; prints the warning of a foreign file.
 /// @throws HydroError; BadArgument for a speed outside 0..100 m/s.
 Coefficients readDatabase(const std::string& path, const SpeedOptions& moving);
 /// Runs `work`; its HydroErrors get the file's name in front.
@@ -52,6 +53,8 @@ void naming(const std::string& file, const std::function<void()>& work);
 Vec3 vectorOption(const std::string& option, const std::string& text);
 /// β [rad] of a --heading in degrees. @throws HydroError BadArgument beyond two turns.
 double headingRadians(double degrees);
+/// One warning that names `file` if waves up to `omega` [rad/s] are shorter than the panels resolve.
+void warnIfUnresolved(const std::string& file, const Coefficients& coefficients, double omega);
 /// One line on stderr, nothing if empty.
 void warn(const std::string& line);
 

@@ -32,6 +32,12 @@ double part(const std::string& range, std::size_t from, std::size_t to) {
 
 }  // namespace
 
+std::optional<ForwardSpeedForm> SpeedOptions::form() const {
+  if (formName == "report") return ForwardSpeedForm::Report;
+  if (formName == "tuck") return ForwardSpeedForm::Tuck;
+  return {};
+}
+
 std::vector<double> omegaList(const std::string& range, const std::vector<double>& fallback) {
   if (range.empty()) return fallback;
   const std::size_t first = range.find(':');
@@ -61,8 +67,6 @@ Coefficients readDatabase(const std::string& path, const SpeedOptions& moving) {
   std::string warning;
   Coefficients coefficients = readCoefficients(path, &warning);
   warn(warning);
-  if (moving.form == "report") coefficients.forwardSpeed = ForwardSpeedForm::Report;
-  if (moving.form == "tuck") coefficients.forwardSpeed = ForwardSpeedForm::Tuck;
   return coefficients;
 }
 
@@ -99,6 +103,13 @@ double headingRadians(double degrees) {
                      fmt::format("--heading {}: must be in -720..720 degrees", degrees));
   }
   return degrees * kPi / 180.0;
+}
+
+void warnIfUnresolved(const std::string& file, const Coefficients& coefficients, double omega) {
+  const double resolved = coefficients.resolvedOmega;
+  if (!(resolved > 0.0) || omega <= resolved * (1.0 + 1e-9)) return;
+  warn(fmt::format("{}: panels resolve waves up to {:.2f} rad/s, these go up to {:.2f}", file,
+                   resolved, omega));
 }
 
 void warn(const std::string& line) {

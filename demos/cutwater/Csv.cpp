@@ -17,6 +17,11 @@ std::string csvNumber(double value) {
   return fmt::format("{:.9g}", value == 0.0 ? 0.0 : value);  // no "-0"
 }
 
+double phaseDegrees(Complex z) {
+  const double degrees = std::arg(z) * 180.0 / kPi;
+  return degrees < -180.0 + 5e-7 ? 180.0 : degrees;  // what nine digits would write as -180
+}
+
 void Csv::row(const std::vector<double>& values, const std::string& prefix) {
   text_ += prefix;
   for (std::size_t i = 0; i < values.size(); ++i) {

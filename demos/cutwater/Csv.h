@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "hydro/Conventions.h"
+
 namespace cutwater::command {
 
 /// Writes `text` to stdout if `path` is empty; to a regular file (or what a link points at) under a temporary
@@ -30,5 +32,7 @@ class Csv {
 
 /// A number as all our CSV files write it: 9 significant digits, `inf`, `nan`.
 std::string csvNumber(double value);
+/// arg z in degrees, in (-180, 180] as csvNumber writes it.
+double phaseDegrees(Complex z);
 
 }  // namespace cutwater::command

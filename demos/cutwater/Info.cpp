@@ -1,5 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Csv.h"
 #include "hydro/database/CoefficientsFile.h"
@@ -147,7 +151,7 @@ void info(const std::string& database, const std::string& out) {
   listMask(csv, c);
   number("check_added_mass_asymmetry", asymmetry(c.addedMass), "%");
   number("check_damping_asymmetry", asymmetry(c.damping), "%");
-  double smallest = 0.0;
+  double smallest = std::numeric_limits<double>::infinity();
   for (const Mat6& b : c.damping) smallest = std::min(smallest, b.diagonal().minCoeff());
   number("check_damping_smallest_diagonal", smallest, "");
   number("added_mass_inf_from_finite_frequencies", c.addedMassInfDirect.isZero() ? 0 : 1, "");

@@ -14,13 +14,10 @@ namespace {
 
 constexpr double kSlow = 0.1;  // [rad/s], see FrequencyResponse
 
-Coefficients loaded(const Coefficients& c, const LoadingOptions& loading) {
-  if (!loading.mass && loading.cog.empty() && loading.gyradii.empty()) return c;
-  const ShipParticulars& ship = c.ship;
-  return withLoading(
-      c, loading.mass.value_or(ship.mass),
-      loading.cog.empty() ? ship.cog : vectorOption("--cog", loading.cog),
-      loading.gyradii.empty() ? ship.gyradii : vectorOption("--gyradii", loading.gyradii));
+// The option's vector; absent where it is not given.
+std::optional<Vec3> given(const std::string& option, const std::string& text) {
+  if (text.empty()) return {};
+  return vectorOption(option, text);
 }
 
 // nan where nothing bounds the motion.
@@ -37,9 +34,16 @@ CVec6 motion(const FrequencyResponse& response, double omega, double heading, do
 
 void rao(const std::string& database, const WaveOptions& options, const LoadingOptions& loading,
          const std::string& out) {
+  const auto cog = given("--cog", loading.cog), gyradii = given("--gyradii", loading.gyradii);
   Coefficients coefficients = readDatabase(database, options.moving);
-  naming(database, [&] { coefficients = loaded(coefficients, loading); });
-  const FrequencyResponse response(coefficients);
+  if (loading.mass || cog || gyradii) {
+    const ShipParticulars ship = coefficients.ship;
+    naming(database, [&] {
+      coefficients = withLoading(coefficients, loading.mass.value_or(ship.mass),
+                                 cog.value_or(ship.cog), gyradii.value_or(ship.gyradii));
+    });
+  }
+  const FrequencyResponse response(coefficients, {}, options.moving.form());
   const double heading = headingRadians(options.headingDeg), speed = options.moving.speed;
   Csv csv("omega,omega_e,j,amplitude,phase_deg");
   int slow = 0;
@@ -48,10 +52,11 @@ void rao(const std::string& database, const WaveOptions& options, const LoadingO
     if (speed != 0.0 && std::abs(met) < kSlow) ++slow;
     const CVec6 eta = motion(response, omega, heading, speed);
     for (int j = 0; j < 6; ++j) {
-      csv.row({omega, met, j + 1.0, std::abs(eta[j]), std::arg(eta[j]) * 180.0 / kPi});
+      csv.row({omega, met, j + 1.0, std::abs(eta[j]), phaseDegrees(eta[j])});
     }
   };
   const auto omegas = omegaList(options.omegaRange, defaultWaveOmega(coefficients));
+  warnIfUnresolved(database, coefficients, omegas.back());
   naming(database, [&] {
     for (const double omega : omegas) add(omega);
   });

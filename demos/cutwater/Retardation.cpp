@@ -23,10 +23,11 @@ void retardation(const std::string& database, double step, double duration,
   const Coefficients coefficients = readCoefficients(database, &warning);
   warn(warning);
   const RetardationMatrix retardation(coefficients);
-  // The speed-dependent parts (35)-(40) belong to forward speed, which this version does not have.
+  // The speed-dependent parts (35)-(40) are not computed.
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   Csv csv("tau,j,k,K0,KU,KUU");
-  for (int i = 0; i <= static_cast<int>(std::round(duration / step)); ++i) {
+  const int last = static_cast<int>(std::floor(duration / step + 1e-9));
+  for (int i = 0; i <= last; ++i) {
     const Mat6 k0 = retardation.at(i * step);
     for (int j = 0; j < 6; ++j) {
       for (int k = 0; k < 6; ++k) csv.row({i * step, j + 1.0, k + 1.0, k0(j, k), kNan, kNan});

@@ -1,5 +1,8 @@
 #include "demos/cutwater/RunFile.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "demos/cutwater/Commands.h"
 #include "demos/cutwater/ShipFile.h"
 #include "demos/cutwater/Toml.h"
@@ -154,10 +157,20 @@ SeaState RunFile::seaState(double gravity, std::size_t index) const {
   return makeSeaState(shape, settings);
 }
 
+double RunFile::highestOmega(double gravity) const {
+  double highest = 0.0;
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, omega.size()); ++i) {
+    const SeaState state = seaState(gravity, i);
+    for (const WaveComponent& wave : state.components()) highest = std::max(highest, wave.omega);
+  }
+  return highest;
+}
+
 Coefficients readShipOfRun(const RunFile& run) {
   std::string warning;
   Coefficients coefficients = readCoefficients(run.database, &warning);
   warn(warning);
+  warnIfUnresolved(run.database, coefficients, run.highestOmega(coefficients.ship.gravity));
   if (run.ship.empty()) return coefficients;
   const ShipFile file = readShipFile(run.ship);
   const ShipParticulars &given = file.particulars, &solved = coefficients.ship;

@@ -37,13 +37,16 @@ struct RunFile {
 
   /// The sea of this run; of regular waves the one at `omega[index]`.
   SeaState seaState(double gravity, std::size_t index = 0) const;
+  /// Of all waves of this run [rad/s]; 0 in calm water.
+  double highestOmega(double gravity) const;
 };
 
 /// @throws HydroError naming file, field and value.
 RunFile readRunFile(const std::string& path);
 
 /// The run's database; if the run names a ship file, its supplementary terms replace the database's
-/// and its mass, centre of gravity and gyradii must be the database's own.
+/// and its mass, centre of gravity and gyradii must be the database's own. Warns of waves that the
+/// panels do not resolve.
 /// @throws HydroError.
 Coefficients readShipOfRun(const RunFile& run);
 

@@ -82,6 +82,22 @@ std::vector<double> frequencies(TomlSection& section, const std::string& key, do
   return values;
 }
 
+// As given; absent: 0.2..2 as far as `omega` goes, or all of `omega` if it has nothing there.
+std::vector<double> waveFrequencies(TomlSection& solve, const std::vector<double>& omega) {
+  std::vector<double> values = frequencies(solve, "wave_omega", 0.2, 2.0, 0.05);
+  const double first = omega.front() * (1.0 - 1e-9), last = omega.back() * (1.0 + 1e-9);
+  if (solve.has("wave_omega")) {
+    if (values.back() > last) {
+      solve.refuse("wave_omega",
+                   fmt::format("ends at {:.6g}, must end at or below the last omega, {:.6g}",
+                               values.back(), omega.back()));
+    }
+    return values;
+  }
+  std::erase_if(values, [&](double value) { return value < first || value > last; });
+  return values.empty() ? omega : values;
+}
+
 // One of `names`, as the enumerator at its place.
 template <class Enum>
 Enum choice(TomlSection& section, const std::string& key, const std::vector<std::string>& names,
@@ -150,10 +166,8 @@ std::vector<double> headings(TomlSection& solve) {
 
 void readSolve(TomlSection solve, SolveSettings& settings) {
   settings.omega = frequencies(solve, "omega", 0.1, 6.0, 0.1);
-  settings.waveOmega = frequencies(solve, "wave_omega", 0.2, 2.0, 0.05);
-  if (settings.waveOmega.back() > settings.omega.back() * (1.0 + 1e-9)) {
-    solve.refuse("wave_omega", "must end at or below the last omega");
-  }
+  if (settings.omega.size() < 2) solve.refuse("omega", "must hold at least 2 frequencies");
+  settings.waveOmega = waveFrequencies(solve, settings.omega);
   settings.headings = headings(solve);
   settings.speeds = solve.numbers("speeds", {0.0}, 0.0, 100.0);
   std::sort(settings.speeds.begin(), settings.speeds.end());

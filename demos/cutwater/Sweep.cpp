@@ -97,13 +97,11 @@ void sweep(const std::string& path, int threads, const std::string& out) {
   const FrequencyResponse response(coefficients, run.restrained);
   const std::vector<CVec6> inTime = runAll(run, coefficients, threads);
   Csv csv("omega,omega_e,j,time_amplitude,time_phase_deg,freq_amplitude,freq_phase_deg");
-  constexpr double kToDegrees = 180.0 / kPi;
   for (std::size_t i = 0; i < run.omega.size(); ++i) {
     const CVec6 frequency = response.at(run.omega[i], run.heading);
     for (int j = 0; j < 6; ++j) {
       csv.row({run.omega[i], run.omega[i], j + 1.0, std::abs(inTime[i][j]),
-               kToDegrees * std::arg(inTime[i][j]), std::abs(frequency[j]),
-               kToDegrees * std::arg(frequency[j])});
+               phaseDegrees(inTime[i][j]), std::abs(frequency[j]), phaseDegrees(frequency[j])});
     }
   }
   csv.write(out);

@@ -46,7 +46,7 @@ void checkFiles(const Arguments& a) {
 
 void speed(CLI::App* sub, Arguments& a) {
   sub->add_option("--speed", a.waves.moving.speed, "forward speed U [m/s], 0 to 100");
-  sub->add_option("--form", a.waves.moving.form,
+  sub->add_option("--form", a.waves.moving.formName,
                   "forward-speed terms; default: the database's own (SHIP.toml forward_speed)")
       ->check(CLI::IsMember({"report", "tuck"}));
 }

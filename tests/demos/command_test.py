@@ -87,6 +87,9 @@ class Tables(Files):
         self.assertEqual(list(rows[0]), "omega omega_e j amplitude phase_deg".split())
         self.assertAlmostEqual(float(rows[2]["amplitude"]), 1, delta=0.02)
         self.assertAlmostEqual(float(rows[2]["phase_deg"]), 0, delta=2)
+        for row in table("rao", DATABASE, "--heading", "37"):
+            self.assertGreater(float(row["phase_deg"]), -180)
+            self.assertLessEqual(float(row["phase_deg"]), 180)
         for odd in (1, 3, 5):  # head seas: no sway, roll, yaw
             self.assertLess(float(rows[odd]["amplitude"]), 1e-9)
 
@@ -101,6 +104,8 @@ class Tables(Files):
         self.assertEqual(list(rows[0]), "tau j k K0 KU KUU".split())
         k33 = [float(row["K0"]) for row in rows if row["j"] == "3" and row["k"] == "3"]
         self.assertEqual(len(k33), 301)
+        short = table("retardation", DATABASE, "--dt", "0.3", "--duration", "1.1")
+        self.assertAlmostEqual(float(short[-1]["tau"]), 0.9)
         whole = 0.1 * (sum(k33) - 0.5 * (k33[0] + k33[-1]))
         self.assertLess(abs(whole), 0.01 * 0.1 * sum(map(abs, k33)))  # 0.5 % and as much for the trapezoid
 
@@ -108,6 +113,7 @@ class Tables(Files):
         names = {row["name"]: row["value"] for row in table("info", DATABASE)}
         self.assertEqual(float(names["frequencies"]), 60)
         self.assertEqual(names["code"], "Cutwater")
+        self.assertNotEqual(float(names["check_damping_smallest_diagonal"]), 0)
 
     def test_simulate_columns_and_start(self):
         run = self.path("run.toml", RUN)
@@ -126,6 +132,20 @@ class Tables(Files):
         single = table("simulate", self.path("s.toml", RUN.replace("[waves]", "double = false\n[waves]")))
         self.assertNotEqual(double[-1]["z"], single[-1]["z"])
         self.assertAlmostEqual(float(double[-1]["z"]), float(single[-1]["z"]), delta=1e-4)
+
+    def test_waves_shorter_than_the_panels_resolve_are_warned_of_once(self):
+        resolved = next(float(row["value"]) for row in table("info", DATABASE) if row["name"] == "omega_resolved")
+        self.assertLess(resolved, 5)
+        words = f"frigate.h5: panels resolve waves up to {resolved:.2f} rad/s"
+        for omega, warnings in ((resolved - 0.1, 0), (resolved + 0.1, 1)):
+            run = self.path("run.toml", RUN.replace("0.8", str(omega)))
+            for arguments in (["excitation", DATABASE, "--heading", "180", "--omega", f"0.5:{omega}:5"],
+                              ["rao", DATABASE, "--heading", "180", "--omega", f"0.5:{omega}:5"],
+                              ["simulate", run], ["sweep", run.replace("run.toml", "sweep.toml")]):
+                self.path("sweep.toml", RUN.replace("0.8", f"[{omega}]").replace("4.0", "20.0"))
+                done = call(*arguments)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(done.stderr.count(words), warnings, done.stderr)
 
     def test_output_file_equals_stdout(self):
         target = self.path("o.csv")
@@ -183,6 +203,26 @@ class ForwardSpeed(Files):
         else:
             self.refused(["rao", DATABASE, "--speed", "8", "--heading", "180"], "frigate.h5", "speed = 8")
 
+    def test_a_table_of_one_form_is_not_read_as_the_other(self):
+        ship = self.path("s.toml", SHIP + """[solve]
+omega = [0.5, 1.0, 1.5]
+wave_omega = [0.5, 0.8]
+speeds = [0.0, 5.0]
+influence = "direct"
+forward_speed = "report"
+""")
+        database = self.path("direct.h5")
+        done = call("solve", ship, "-o", database)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        at_speed = [database, "--speed", "5", "--heading", "180", "--omega", "0.5:0.8:2"]
+        own = table("excitation", *at_speed)
+        self.assertEqual(own, table("excitation", *at_speed, "--form", "report"))
+        self.refused(["excitation", *at_speed, "--form", "tuck"], "direct.h5", "other form")
+        self.refused(["rao", *at_speed, "--form", "tuck"], "direct.h5", "other form")
+        # Radiation needs no table: A and B of either form are there.
+        self.assertNotEqual(table("coefficients", database, "--speed", "5"),
+                            table("coefficients", database, "--speed", "5", "--form", "tuck"))
+
 
 class Loading(Files):
     BEAM = ["rao", DATABASE, "--heading", "90", "--omega", "0.5:0.6:2"]
@@ -197,7 +237,10 @@ class Loading(Files):
     def test_another_waterline_is_refused(self):
         self.refused([*self.BEAM, "--mass", "1e6"], "frigate.h5", "mass = 1000000", "displaces")
         self.refused([*self.BEAM, "--cog", "5,0,1"], "frigate.h5", "cog x = 5", "buoyancy")
-        self.refused([*self.BEAM, "--cog", "5,0"], "--cog", "5,0")
+        done = call(*self.BEAM, "--cog", "5,0")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("--cog 5,0: must be three numbers", done.stderr)
+        self.assertNotIn("frigate.h5", done.stderr)
         self.refused([*self.BEAM, "--gyradii", "5,-1,1"], "gyradii", "-1")
 
 
@@ -215,9 +258,22 @@ condition_limit_even = [[1.1, 1e12], [1.19, 1.0], [1.21, 1.0], [1.3, 1e12]]
         names = {row["name"]: row["value"] for row in table("info", database)}
         self.assertEqual(names["masked_frequencies"], "1")
         self.assertEqual(names["masked_omega"], "1.2")
+        self.assertIn("condition limits with lid = true", done.stderr)
+        self.assertNotIn("condition_limit_odd", done.stderr)
         nothing = self.path("n.toml", SHIP + "[solve]\nomega = [0.5, 1.0]\nwave_omega = 0.5\n"
                             "condition_limit_even = [[1.0, 1.0]]\n")
         self.refused(["solve", nothing, "-o", self.path("n.h5")], "n.toml", "0 of 2")
+
+    def test_a_limit_of_odd_modes_needs_symmetry(self):
+        ship = self.path("w.toml", SHIP.replace("[mass]", "symmetric = \"none\"\n[mass]") + """[solve]
+omega = [0.5, 1.0]
+lid = false
+condition_limit_odd = [[1.0, 1e12]]
+""")
+        done = call("solve", ship, "-o", self.path("w.h5"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("w.toml: [solve] condition_limit_odd", done.stderr)
+        self.assertNotIn("lid = true", done.stderr)
 
 
 class Errors(Files):
@@ -245,6 +301,8 @@ class Errors(Files):
             (SHIP + "mass = nan\n", ["mass", "nan"]),
             (SHIP + "[water]\ndensity = \"salt\"\n", ["density", "salt", "number"]),
             (SHIP + "[solve]\nomega = [0.2, 0.1]\n", ["omega", "increase"]),
+            (SHIP + "[solve]\nomega = [0.8]\n", ["s.toml", "[solve] omega", "0.8", "at least 2"]),
+            (SHIP + "[solve]\nomega = [0.5, 1.5]\nwave_omega = [0.5, 1.75]\n", ["wave_omega", "1.75", "1.5"]),
             (SHIP + "[solve]\nspeeds = [-5.0]\n", ["speeds", "-5"]),
             (SHIP + "[solve]\nsource_points = 3\n", ["source_points", "3", "auto"]),
             (SHIP + "[solve]\ngalerkin_points = \"auto\"\n", ["galerkin_points", "auto"]),
@@ -266,6 +324,17 @@ class Errors(Files):
             (RUN.replace("0.8", "9.0"), ["omega = 9 rad/s"]),
         ):
             self.refused(["simulate", self.path("r.toml", text)], *words)
+
+    def test_default_wave_frequencies_stay_within_omega(self):
+        for omega, expected in (("[0.5, 0.75, 1.0]", (11, 0.5, 1.0)), ("[3.0, 4.0]", (2, 3.0, 4.0))):
+            ship = self.path("s.toml", SHIP + f"[solve]\nomega = {omega}\nlid = false\n")
+            database = self.path("s.h5")
+            done = call("solve", ship, "-o", database)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            waves = sorted({float(row["omega"]) for row in table("excitation", database, "--heading", "180")})
+            self.assertEqual(len(waves), expected[0])
+            self.assertAlmostEqual(waves[0], expected[1])
+            self.assertAlmostEqual(waves[-1], expected[2])
 
     def test_missing_and_damaged_files_are_named(self):
         self.refused(["info", self.path("none.h5")], "none.h5")
