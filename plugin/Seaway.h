@@ -41,7 +41,8 @@ class Seaway final : private TickListener {
   /// Takes its ships out and leaves the world's callback as it was found.
   ~Seaway() override;
 
-  /// A new ship at its mean course. @param coefficients must outlive the ship.
+  /// A new ship at its mean course. @param coefficients must outlive the ship; another mass
+  /// distribution on the same waterline is withLoading(coefficients, …) of database/Loading.h.
   /// @throws HydroError ValueOutOfRange: gravity not along −z or zero, mass or gyradii not
   /// positive, a
   ///         wave outside the database; DatabaseIncomplete: no hull in it and no shape given.

@@ -66,27 +66,34 @@ TEST(LimitsClosedForm, AddedMassOfAHalfEllipsoid) {
   }
 }
 
-// The surface derivative on these panels is of first order near the poles: 5 % of the exact value.
-// Where the exact value is 0 by symmetry of the ends it is 0 to round-off but for A35, A26: 5 %
-// too.
+// 5 % of the exact value, and 1 % of ∂A53, ∂A62 where the exact value is 0 on paper only (A35, A26),
+// are the acceptance lines at 400 panels; the surface derivative is of first order near the poles.
+// Where the symmetry of the ends makes it 0 it is 0 to round-off.
 TEST(LimitsClosedForm, LongitudinalDerivativeIntegralsOfAHalfEllipsoid) {
   const auto exact = exactValues();
   const double scale53 = exact.at("dA53/dx(inf)"), scale62 = -exact.at("dA62/dx(0)");
   double before = 1.0;
-  for (const int along : {20, 40}) {
+  for (const int along : {20, 28, 40}) {
     const Limits got = limitsOf(wetHalfEllipsoid(kShip, along, along / 2));
     const double worst = std::max({std::abs(got.infiniteX(Pitch, Heave) / scale53 - 1.0),
                                    std::abs(got.infiniteX(Heave, Pitch) / scale53),
                                    std::abs(got.zeroX(Yaw, Sway) / scale62 + 1.0),
                                    std::abs(got.zeroX(Sway, Yaw) / scale62)});
-    EXPECT_LT(worst, 0.6 * before);
+    const double zeros = std::max(std::abs(got.infiniteX(Heave, Pitch) / scale53),
+                                  std::abs(got.zeroX(Sway, Yaw) / scale62));
+    EXPECT_LT(worst, 0.8 * before);
+    EXPECT_LT(zeros, 0.01);
     EXPECT_NEAR(got.infiniteX(Heave, Heave) / exact.at("A33(inf)"), 0.0, 1e-9);
     EXPECT_NEAR(got.zeroX(Sway, Sway) / exact.at("A22(0)"), 0.0, 1e-9);
     before = worst;
     recordResult("solver",
                  "x-derivative integrals, half ellipsoid, " + std::to_string(along * along / 2) +
                      " panels a side, %",
-                 "Lamb", 100.0 * worst, "≤ 5 at 800");
+                 "Lamb", 100.0 * worst, "≤ 5 at 400");
+    recordResult("solver",
+                 "dA35, dA26 of dA53, dA62, half ellipsoid, " + std::to_string(along * along / 2) +
+                     " panels a side, %",
+                 "0", 100.0 * zeros, "≤ 1 at 400");
   }
   EXPECT_LT(before, 0.05);
 }
