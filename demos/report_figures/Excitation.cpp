@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "demos/report_figures/Report.h"
 #include "hydro/bem/DiffractionSweep.h"
@@ -54,6 +55,7 @@ std::vector<Means> fourMeans(const Job& job) {
   const ModeNormals normals(matrices.mesh(), ship.cog);
   const XDerivative stokes(ship.wetSurface, matrices.mesh());
   const OneBlasThread oneThread;
+  const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   std::vector<Means> means;
   for (const auto& [influence, name] : {std::pair{Influence::Direct, "direct"},
                                         {Influence::Matrix, "interpolated"},
@@ -62,7 +64,7 @@ std::vector<Means> fourMeans(const Job& job) {
     const CpuTime cpu;
     means.push_back({name, bare, 0.0});
     means.back().database.diffractionTable =
-        solveDiffractionTable({matrices, normals, stokes, ship}, settings, 2);
+        solveDiffractionTable({matrices, normals, stokes, ship}, settings, threads);
     means.back().cpu = cpu.seconds();
   }
   means.push_back({"adjoint", adjoint, adjointTime});
