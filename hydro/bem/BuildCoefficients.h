@@ -37,9 +37,10 @@ struct SolveSettings {
 /// throws stops the sweep and comes out of buildCoefficients.
 using SolveProgress = std::function<void(int done, int total)>;
 
-/// Radiation and diffraction of a ship at rest in deep water: A, B, A(0), A(∞), F_I, F_D, adjoint
-/// vectors and condition numbers, at U = 0. Panel method, potential formulation
-/// (InfluenceMatrices.h).
+/// Radiation and diffraction of a ship at rest in deep water: A, B, A(0), A(∞), F_I, F_D, ∂A, ∂B,
+/// adjoint vectors and condition numbers; at forward speed what settings.influence asks for. Panel
+/// method (InfluenceMatrices.h). Condition limits are only copied into the result: applyMask
+/// (IrregularFrequencies.h) acts on them.
 ///
 /// A hull with `symmetric` set is solved by its port half; if G lies off its centre plane the modes
 /// mix, so it is solved whole and the result's wetSurface is the whole surface. Everything of
@@ -49,7 +50,7 @@ using SolveProgress = std::function<void(int done, int total)>;
 /// m on the lid; frequencies are solved in parallel. Memory: 64(n + m)² bytes a thread and as much
 /// again.
 /// @throws HydroError FrequenciesNotIncreasing, ValueOutOfRange, MeshEmpty, BadArgument,
-/// MatrixSingular.
+/// MatrixSingular, HullNotClosed (no lid fits the waterline).
 Coefficients buildCoefficients(const ShipParticulars& ship, const SolveSettings& settings,
                                const SolveProgress& progress = {});
 

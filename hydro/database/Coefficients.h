@@ -74,8 +74,9 @@ struct Coefficients {
   Mat6 addedMassZero = Mat6::Zero();  ///< A(0)
   Mat6 addedMassInf = Mat6::Zero();   ///< A(∞)
 
-  /// Highest frequency whose waves the panels resolve [rad/s]; A and B above it ring, and the
-  /// memory continues B by its tail from there. 0: not known, every frequency is taken as good.
+  /// Highest frequency whose waves the panels resolve [rad/s]; the solver's A, B,
+  /// ∂A, ∂B and adjoint vectors above it ring; applyMask and withConsistentLimit continue them from
+  /// there. 0: not known, every frequency is taken as good.
   double resolvedOmega = 0.0;
 
   /// Wave frequencies [rad/s] at which tables of excitation and RAOs are written unless others are

@@ -40,7 +40,15 @@ FrequencyResponse::FrequencyResponse(const Coefficients& coefficients,
     : coefficients_(coefficients),
       form_(form.value_or(coefficients.forwardSpeed)),
       excitation_(coefficients, form),
-      restrained_(restrained) {}
+      restrained_(restrained) {
+  for (int j = Roll; j <= Yaw; ++j) {
+    if (restrained[static_cast<std::size_t>(j)] || coefficients.ship.gyradii[j - Roll] > 0.0)
+      continue;
+    throw HydroError(Fault::DatabaseIncomplete,
+                     "FrequencyResponse: the radii of gyration are not in the database; give them "
+                     "(--gyradii)");
+  }
+}
 
 CVec6 FrequencyResponse::at(double omegaI, double heading, double speed) const {
   const ShipParticulars& ship = coefficients_.ship;

@@ -9,7 +9,7 @@ namespace cutwater {
 
 /// Motions in regular waves by the frequency domain, at forward speed U:
 ///   {−ω_e²(M + A(U)) + iω_e(B(U) + B_s) + (C + C_s)} η̂ = F_I + F_D                [M03] (5)
-/// with A, B the solver's own values interpolated in ω_e, and B_s, C_s the linear supplementary
+/// with A, B the solver's own values, interpolated in ω_e and continued above the resolved frequency, and B_s, C_s the linear supplementary
 /// terms; a quadratic roll damping is not linear and is left out. η(t) = Re{η̂ e^{iω′t}} with the
 /// signed ω′ = ω_I − kU cos β: for ω′ < 0 the equation is solved at ω_e = |ω′| for conj(F) and the
 /// answer conjugated. Below ω_e ≈ 0.1 rad/s surge, sway and yaw, which have no stiffness, grow without
@@ -19,6 +19,8 @@ class FrequencyResponse {
   /// @param coefficients must outlive this object.
   /// @param restrained   modes held: their η̂ is 0 and their equations are dropped.
   /// @param form         of the forward-speed terms; absent: the database's own.
+  /// @throws HydroError DatabaseIncomplete: a rotation is free and its radius of gyration is 0, not
+  ///         known (a plain BEMIO file has none).
   explicit FrequencyResponse(const Coefficients& coefficients, std::array<bool, 6> restrained = {},
                              std::optional<ForwardSpeedForm> form = {});
 

@@ -167,5 +167,12 @@ TEST(FrequencyResponse, RestrainedModesDoNotMove) {
   EXPECT_GT(std::abs(eta[Heave]), 0.0);
 }
 
+TEST(FrequencyResponse, RefusesAFreeRotationWithoutRadiusOfGyration) {
+  Coefficients ship = boxShip();
+  ship.ship.gyradii = Vec3::Zero();
+  EXPECT_ANY_THROW(FrequencyResponse{ship});
+  EXPECT_NO_THROW(FrequencyResponse(ship, {false, false, false, true, true, true}));
+}
+
 }  // namespace
 }  // namespace cutwater
