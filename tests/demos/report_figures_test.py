@@ -17,10 +17,9 @@ PANELS = {7: 224, 8: 224, 9: 433, 10: 433, 11: 1040, 12: 1040}
 # (figure, quantity, what does not hold): why.
 DEVIATIONS = {
     (6, "U dA33/dx", "reach"): "0.8 up to 3.3 rad/s; one point runs off to 2.5 only above, where the panels resolve nothing",
-    (8, "cond number odd", "reach"): "420 up to 2.7 rad/s; the higher peaks lie above, where the panels resolve nothing",
     (15, "U dA11/dx", "sign"): "within 0.003 of 0, by both methods: the formula's bow and stern differ less in surge",
     (15, "U dA11/dx", "reach"): "the same",
-    (17, "U dA33/dx", "reach"): "by Stokes' theorem 0.24, 0.30, 0.34 from coarse to fine, still rising; by the report's method 0.36 to 0.42",
+    (17, "U dA33/dx", "reach"): "by Stokes' theorem 0.26, 0.30, 0.34 from coarse to fine, still rising; by the report's method 0.37 to 0.42",
     (18, "U dA44/dx", "reach"): "stays negative, by both methods, as far as the panels resolve",
     (19, "U dA55/dx", "reach"): "stays positive, by both methods, as far as the panels resolve",
     (24, "heave RAO", "range"): "1.23; the report draws the same case up to 1.5 in its Figure 32",
@@ -107,20 +106,18 @@ def check_bounds(folder, path):
 
 
 def check_table2(folder, path):
-    """Main particulars: volume and wetted surface within 0.5 %, centre of buoyancy within 2 cm."""
+    """Volume, centre of buoyancy and wetted surface within 0.3 %, the line of tests/geometry/frigate_test.cpp."""
     with open(path, encoding="utf-8") as file:
         report = list(csv.DictReader(line for line in file if not line.startswith("#")))
     wrong = []
     for ours in rows(folder, "table2.csv"):
         line = report[(224, 433, 1040).index(int(ours["mesh"]))]
-        for mine, theirs, bound, unit in (("volume_m3", "V_m3", 0.5, "%"), ("wetted_m2", "S_m2", 0.5, "%"),
-                                          ("lcb_aft_of_fp_m", "LCB_aft_FP_m", 0.02, "m"),
-                                          ("cb_wrt_waterline_m", "CB_wrt_WL_m", 0.02, "m")):
-            off = float(ours[mine]) - float(line[theirs])
-            off = abs(off / float(line[theirs]) * 100 if unit == "%" else off)
-            record("Report figures", f"table 2, {ours['mesh']} panels, {mine}: off [{unit}]", "report", off, str(bound))
-            if off > bound:
-                wrong.append(f"table 2, {ours['mesh']} panels, {mine}: off by {off:.3g} {unit}")
+        for mine, theirs in (("volume_m3", "V_m3"), ("lcb_aft_of_fp_m", "LCB_aft_FP_m"),
+                             ("cb_wrt_waterline_m", "CB_wrt_WL_m"), ("wetted_m2", "S_m2")):
+            off = 100 * abs(float(ours[mine]) / float(line[theirs]) - 1)
+            record("Report figures", f"table 2, {ours['mesh']} panels, {mine}: off [%]", "report", off, "0.3")
+            if off > 0.3:
+                wrong.append(f"table 2, {ours['mesh']} panels, {mine}: off by {off:.3g} %")
     return wrong
 
 
