@@ -40,7 +40,8 @@ double lengthOf(const ShipParticulars& ship) {
 void checkCentre(const ShipParticulars& ship, const Vec3& cog) {
   if (!cog.allFinite()) refuse(Fault::ValueOutOfRange, "cog is not finite");
   const double length = lengthOf(ship);
-  const double beam = bounds(ship.wetSurface).high.y() - bounds(ship.wetSurface).low.y();
+  const Bounds wet = bounds(ship.wetSurface);
+  const double beam = ship.symmetric ? 2.0 * wet.high.y() : wet.high.y() - wet.low.y();
   for (const int axis : {0, 1}) {
     const double across = ship.wetSurface.faces.empty() ? 0.1 * length : beam;
     const double extent = axis == 0 ? length : across;
