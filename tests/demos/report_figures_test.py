@@ -8,6 +8,7 @@ the report's figures for 433 panels from these. With CUTWATER_FULL: all meshes a
 """
 import csv
 import os
+import shutil
 import subprocess
 import sys
 
@@ -173,6 +174,7 @@ def check_findings(folder):
 def main():
     program, axes, hydrostatics = sys.argv[1:]
     folder = "report_figures"
+    shutil.rmtree(folder, ignore_errors=True)  # a full run before this one left more meshes
     subprocess.run([program, folder] + ([] if FULL else ["--panels", "224", "--every", "7"]), check=True)
     wrong = check_table2(folder, hydrostatics) + check_bounds(folder, axes) + (check_findings(folder) if FULL else [])
     sys.exit("\n".join(wrong) or None)
