@@ -52,6 +52,7 @@ double leastResonanceOf(const PanelMesh& mesh) {
 InfluenceMatrices::InfluenceMatrices(PanelMesh mesh, const InfluenceSettings& settings)
     : pairs_(std::move(mesh), settings),
       rankine_(pairs_),
+      farWave_(pairs_, rankine_),
       leastResonance_(leastResonanceOf(pairs_.mesh())) {}
 
 double InfluenceMatrices::lidShare(double K) const noexcept {
@@ -67,7 +68,10 @@ std::array<InfluenceSystem<Complex>, 2> InfluenceMatrices::atWaveNumber(double K
   const int all = drop ? pairs_.hull() : pairs_.all();
   Systems systems;
   start(K, all, systems);
-  addFarWaves(K, all, systems);
+  if (settings().sourcePoints == 0 && !getenv("OLDFAR"))
+    farWave_.add(K, all, systems);
+  else
+    addFarWaves(K, all, systems);
   addNearWaves(K, all, systems);
   if (!drop) scaleLid(share, systems);
   return systems;

@@ -1,19 +1,7 @@
 #pragma once
-#include "hydro/bem/RankineMatrices.h"
+#include "hydro/bem/FarWave.h"
 
 namespace cutwater {
-
-/// One parity's system. Potential: L φ = R v, the unknowns the potential at the n hull panels, then
-/// the m lid densities. Source: L σ = v (0 on the lid), φ = R σ, ∂φ/∂x = H σ, all n + m panels
-/// sources.
-template <typename Scalar>
-struct InfluenceSystem {
-  using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-  Matrix L;  ///< (n + m) × (n + m)
-  Matrix R;  ///< potential: (n + m) × n, source: n × (n + m) [m]
-  Matrix H;  ///< n × (n + m), or empty
-  Formulation formulation = Formulation::Potential;
-};
 
 /// The two limits of the free-surface condition.
 enum class FrequencyLimit {
@@ -87,6 +75,7 @@ class InfluenceMatrices {
 
   PanelPairs pairs_;
   RankineMatrices rankine_;
+  FarWave farWave_;
   double leastResonance_;
 };
 

@@ -9,10 +9,6 @@
 namespace cutwater {
 namespace {
 
-/// Images of x nearer than this many panel diameters take the split wave term: one Gauss point on
-/// 1/R₁ there would be off by more than some 1/(24·2²) = 1 %.
-constexpr double kNearRatio = 2.0;
-
 /// Relative error allowed to n × n points on a wave at calm water. Below, waves fade as e^{−Y}, but
 /// what deep panels make of short waves nearly cancels: only √ of it counts. Frigate, 433 panels a
 /// side, up to 4.2 rad/s: from 0.01 to 0.004 heave damping moves by 3 %, the others by less than 1
@@ -55,6 +51,7 @@ PanelPairs::PanelPairs(PanelMesh mesh, const InfluenceSettings& settings)
   for (const Panel& panel : panels_) {
     size_.push_back(diameter(panel));
     top_.push_back(top(panel));
+    moments_.emplace_back(panel);
     centroid_.push_back({{panel.centroid, panel.area}});
     points_.emplace_back();
     for (int n = 1; n <= kMostPoints; ++n)

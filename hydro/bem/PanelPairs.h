@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "hydro/bem/Formulation.h"
+#include "hydro/bem/PanelMoments.h"
 #include "hydro/geometry/PanelMesh.h"
 #include "hydro/geometry/PanelQuadrature.h"
 
@@ -32,6 +33,9 @@ struct Pair {
 class PanelPairs {
  public:
   static constexpr int kMostPoints = 4;  ///< per side of a panel
+  /// Images of x nearer than this many panel diameters take the split wave term: one Gauss point on
+  /// 1/R₁ there would be off by more than some 1/(24·2²) = 1 %.
+  static constexpr double kNearRatio = 2.0;
 
   /// @throws HydroError BadArgument for points that are not 1, 4 or 9 (sourcePoints: or 0), or H
   /// asked of the potential formulation.
@@ -45,6 +49,8 @@ class PanelPairs {
   bool isSource() const noexcept { return settings_.formulation == Formulation::Source; }
   const Panel& panel(int i) const { return panels_[static_cast<std::size_t>(i)]; }
   double size(int i) const { return size_[static_cast<std::size_t>(i)]; }
+
+  const PanelMoments& moments(int i) const { return moments_[static_cast<std::size_t>(i)]; }
 
   /// n × n Gauss points of a panel, n = 1 … kMostPoints.
   const std::vector<QuadraturePoint>& points(int panel, int n) const {
@@ -76,6 +82,7 @@ class PanelPairs {
   std::vector<Panel> panels_;  // hull, then lid
   std::vector<double> size_;   // diameter of each panel [m]
   std::vector<double> top_;    // highest z of each panel [m]
+  std::vector<PanelMoments> moments_;
   std::vector<std::array<std::vector<QuadraturePoint>, kMostPoints>> points_;
   std::vector<std::vector<QuadraturePoint>>
       centroid_;  // one point each; a triangle's rule has three

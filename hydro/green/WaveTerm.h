@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 
 namespace cutwater {
 
@@ -21,6 +22,8 @@ struct WaveTerm {
   double FY = 0.0;  ///< ∂F/∂Y
   double J0 = 0.0;  ///< e^{−Y} J₀(X)
   double J1 = 0.0;  ///< e^{−Y} J₁(X)
+  double Y0 = 0.0;  ///< e^{−Y} Y₀(X), from X = 2 on; without meaning below
+  double Y1 = 0.0;  ///< e^{−Y} Y₁(X), from X = 2 on
 };
 
 /// @pre X ≥ 0, Y ≥ 0, X + Y > 0, both below 1e6. Absolute error of every member below 1e-11, plus a
@@ -28,6 +31,13 @@ struct WaveTerm {
 /// then less than 1e-14, are returned as 0. About 0.1 µs; the first call builds tables for 30 ms.
 /// Any thread.
 WaveTerm waveTerm(double X, double Y);
+
+/// The same at `count` points, member by member; half the time on a processor with AVX2.
+/// @param terms  F, FX, J0, J1, Y0, Y1: `count` places each. FY = −F − 2/√(X² + Y²) is left out.
+struct WaveTermArrays {
+  double *F, *FX, *J0, *J1, *Y0, *Y1;
+};
+void waveTerms(const double* X, const double* Y, std::size_t count, const WaveTermArrays& terms);
 
 /// F + 2 ln((R+Y)/2), R = √(X²+Y²): F without its singular part. Finite everywhere, −2γ at R = 0.
 /// Same error as F. @pre X ≥ 0, Y ≥ 0.

@@ -71,7 +71,8 @@ Patch fit(Interval a, Interval b, Function f) {
       Values across{};
       for (std::size_t k = 0; k < kPoints; ++k) across[k] = half[i][k][q];
       across = rule.powers(across);
-      for (std::size_t p = 0; p < kPoints; ++p) patch.coefficient[p][q][i] = across[p];
+      for (std::size_t p = 0; p < kPoints; ++p)
+        patch.coefficient[p][q / 2][2 * (q % 2) + i] = across[p];
     }
   }
   return patch;

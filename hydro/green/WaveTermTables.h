@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "hydro/Vector.h"
+
 namespace cutwater::wave_tables {
 
 // Polynomials in cells, read by WaveTerm.cpp and filled once from WaveTermOracle.h (about 30 ms).
@@ -12,32 +14,29 @@ namespace cutwater::wave_tables {
 inline constexpr std::size_t kPoints = 10;        ///< points per direction of a cell in the plane
 inline constexpr std::size_t kBesselPoints = 12;  ///< points of a Bessel cell
 
-/// Two functions of two variables in one cell.
-struct Patch {
-  alignas(64) double coefficient[kPoints][kPoints][2];  ///< [power of a][power of b][function]
+/// Four numbers in one register where the machine has AVX, in two where not.
+using Four = double __attribute__((vector_size(32)));
 
-  std::array<double, 2> at(double a, double b) const noexcept {
-    double row[2 * kPoints] = {};
-    for (std::size_t i = kPoints; i-- > 0;) {
-      const double* c = &coefficient[i][0][0];
-      for (std::size_t k = 0; k < 2 * kPoints; ++k) row[k] = row[k] * a + c[k];
-    }
-    // Even and odd powers apart: half the length of the chain of dependent steps.
-    const double bb = b * b;
-    double even0 = 0.0, even1 = 0.0, odd0 = 0.0, odd1 = 0.0;
-    for (std::size_t j = kPoints; j > 0; j -= 2) {
-      odd0 = odd0 * bb + row[2 * j - 2];
-      odd1 = odd1 * bb + row[2 * j - 1];
-      even0 = even0 * bb + row[2 * j - 4];
-      even1 = even1 * bb + row[2 * j - 3];
-    }
-    return {even0 + b * odd0, even1 + b * odd1};
+/// Two functions of two variables in one cell.
+struct alignas(64) Patch {
+  static constexpr std::size_t kFours = kPoints / 2;  ///< of a row
+  /// [power of a][power of b, two by two]: (b²ⁱ of function 0, of 1, b²ⁱ⁺¹ of 0, of 1)
+  Four coefficient[kPoints][kFours];
+
+  CUTWATER_INLINE std::array<double, 2> at(double a, double b) const noexcept {
+    Four row[kFours];
+    for (std::size_t k = 0; k < kFours; ++k) row[k] = coefficient[kPoints - 1][k];
+    for (std::size_t i = kPoints - 1; i-- > 0;)
+      for (std::size_t k = 0; k < kFours; ++k) row[k] = row[k] * a + coefficient[i][k];
+    Four sum = row[kFours - 1];
+    for (std::size_t k = kFours - 1; k-- > 0;) sum = sum * (b * b) + row[k];
+    return {sum[0] + b * sum[2], sum[1] + b * sum[3]};
   }
 };
 
 /// J₀, J₁, Y₀, Y₁ in one cell of unit length.
-struct BesselCell {
-  alignas(32) double coefficient[kBesselPoints][4];
+struct alignas(32) BesselCell {
+  Four coefficient[kBesselPoints];
 };
 
 // The quarter plane, in R = √(X²+Y²), α = Y/R, s = 1/R:
@@ -48,7 +47,7 @@ inline constexpr double kNear = 8.0, kSteep = 0.75, kRowWidth = 1.0 / 72.0;
 inline constexpr std::size_t kRings = 8, kFarRows = 9, kFarColumns = 8;
 inline constexpr std::size_t kSteepRow = 2, kSteepColumns = 4;  // rows before: R > 36
 inline constexpr std::size_t kBesselCells = 36;                 // X < 36
-inline constexpr std::size_t kSecondKindFrom = 5;  // cells before hold 0 for Y₀, Y₁; none is read
+inline constexpr std::size_t kSecondKindFrom = 1;  // cells before hold 0 for Y₀, Y₁
 
 /// Ring i begins behind Σ_{m<i} (m + 2) patches.
 inline constexpr std::size_t ringBegin(std::size_t i) { return i * (i + 3) / 2; }
