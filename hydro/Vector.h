@@ -11,3 +11,10 @@
 #define CUTWATER_VECTOR
 #endif
 #define CUTWATER_INLINE inline __attribute__((always_inline))
+
+namespace cutwater {
+
+/// Four numbers in one register where the machine has AVX, in two where not.
+using Four = double __attribute__((vector_size(32)));
+
+}  // namespace cutwater

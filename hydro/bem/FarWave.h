@@ -1,6 +1,7 @@
 #pragma once
 #include "hydro/bem/FormFactors.h"
 #include "hydro/bem/RankineMatrices.h"
+#include "hydro/bem/WaveTile.h"
 
 namespace cutwater {
 
@@ -18,14 +19,16 @@ struct InfluenceSystem {
 
 /// Wave parts of all pairs whose free-surface image is not near, from one evaluation of the wave
 /// term a pair, at the two centroids: it depends on their horizontal distance h and on z + ζ only, so
-/// it serves both directions. What the panels' extent does to it:
-///     ∫∫ g dS dS′/A = A [ g − o + o S_i S_j (1 − c) ],
+/// it serves both directions. What the panels' extent does to it, to second order in size/distance
+/// and to all orders in size/wave length:
+///     mean of g = g − o + ½⟨(s·∇)²⟩(g − o) + o S_i S_j (1 + c),
 ///     o = −2πK e^{−Y}[Y₀(X) + iJ₀(X)]  the waves in g, S form factors of the two panels along the
-/// line between them. A ring wave's front is curved and its height falls as h^{−½}:
-///     c = iK(q_i + q_j)/2h + K(r_j − r_i)/2h,  q = ⟨across² − along²⟩, r = ⟨along·vertical⟩.
-/// What is left is O((KL)²/X²) of g. The rest g − o varies like 1/R₁; in short waves it is −2/R₁, and
-/// that share of it is taken from RankineMatrices' integral instead. Below X = 2 there are no waves
-/// yet: o counts from there, fully from X = 4.
+/// line between them, c what second moments do to a ring wave and not to a plane one; derivatives of
+/// g alike. Below X = 1 there are no waves yet: o counts from there, fully from X = 2.
+/// Where the image is not far, the share of −2/R₁ that g has become is taken from RankineMatrices'
+/// exact integral instead.
+/// Error of an entry, r.m.s. on a frigate of 433 panels a side: 1e-4 below 1.5 rad/s, 1e-3 at 2.5,
+/// 0.4 % at 3; against 0.4 % by Gauss points chosen by the wave length, which took ten times as long.
 class FarWave {
  public:
   using Systems = std::array<InfluenceSystem<Complex>, 2>;
@@ -37,19 +40,24 @@ class FarWave {
   void add(double K, int all, Systems& systems) const;
 
  private:
-  struct Tile;
+  /// Consecutive panels, all of the hull or all of the lid.
   struct Block {
     int begin, size;
   };
+  /// Blocks of the entries to be written: as the tile has them, or exchanged.
+  struct Target {
+    Block field, source;
+    bool exchanged;
+  };
   std::vector<Block> blocks(int all) const;
-  void place(const Block& field, const Block& source, bool mirrored, double K, Tile& tile) const;
-  void factors(const FormFactors& form, const Block& field, const Block& source, bool mirrored,
-               Tile& tile) const;
-  void combine(double K, Tile& tile) const;
-  void derive(const Block& field, const Block& source, bool mirrored, Tile& tile) const;
-  struct Direction;
-  void write(const Direction& direction, double K, const std::array<Tile, 2>& tiles, int parity,
+  void place(const Block& field, const Block& source, bool mirrored, double K,
+             WaveTile& tile) const;
+  void weigh(const FormFactors& form, const Block& field, const Block& source, bool mirrored,
+             WaveTile& tile) const;
+  void write(const Target& target, double K, const std::array<WaveTile, 2>& tiles, Parity parity,
              InfluenceSystem<Complex>& system) const;
+  void writeImages(const Target& target, double K, const std::array<WaveTile, 2>& tiles,
+                   Parity parity, InfluenceSystem<Complex>& system) const;
 
   const PanelPairs& pairs_;
   const RankineMatrices& rankine_;

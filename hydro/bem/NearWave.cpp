@@ -1,5 +1,6 @@
 #include "hydro/bem/NearWave.h"
 
+#include <array>
 #include <cmath>
 
 #include "hydro/green/WaveTerm.h"
@@ -72,30 +73,54 @@ WavePoint::WavePoint(double K, double X, double Y) {
 //   ∫ K F dS              = K Σ w (F + 2/R) − 2 ∫ 1/R₁ dS
 //   ∫ e·∇(K F) dS         = Σ w e·∇(K F + 2/R₁) − 2 ∫ e·∇(1/R₁) dS,
 // whose limit K → ∞ is the rest system with φ = 0 on z = 0, panel by panel.
+namespace {
+
+constexpr std::size_t kMost = 48;  // points of a triangle by three 4 × 4 rules
+
+/// Where the points of the panel lie as seen from x, and the wave term there.
+struct Seen {
+  std::array<double, kMost> X{}, Y{}, R{}, towards{};
+  std::array<double, kMost> F{}, FX{}, J0{}, J1{}, Y0{}, Y1{};
+
+  Seen(const Vec3& x, const Vec3& along, std::span<const QuadraturePoint> points, double K) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec3& at = points[i].x;
+      const double dx = at.x() - x.x(), dy = at.y() - x.y(), depth = -(x.z() + at.z());
+      const double hh = dx * dx + dy * dy, h = std::sqrt(hh);
+      R[i] = K * std::sqrt(hh + depth * depth);
+      X[i] = K * h;
+      Y[i] = R[i] > 0.0 ? K * depth : 1.0;  // where R = 0 the wave term is not used
+      towards[i] = h > 0.0 ? points[i].weight * (along.x() * dx + along.y() * dy) / h : 0.0;
+    }
+    waveTerms(X.data(), Y.data(), points.size(),
+              {F.data(), FX.data(), J0.data(), J1.data(), Y0.data(), Y1.data()});
+  }
+};
+
+}  // namespace
+
 WaveIntegral nearWave(const Vec3& x, const NearImage& image, const Vec3& along,
                       std::span<const QuadraturePoint> points, double K) {
   double area = 0.0, smooth = 0.0, smoothHorizontal = 0.0, oscillation = 0.0, oscillationX = 0.0;
   double rest = 0.0, restAlong = 0.0;
   const double share = inverseShare(K * image.distance);
-  for (const QuadraturePoint& point : points) {
-    const double dx = point.x.x() - x.x(), dy = point.x.y() - x.y();
-    const double h = std::hypot(dx, dy), depth = -(x.z() + point.x.z());
-    const double R1 = std::hypot(h, depth), X = K * h, R = K * R1, Y = K * depth;
-    area += point.weight;
+  const Seen seen(x, along, points, K);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double weight = points[i].weight, R = seen.R[i], X = seen.X[i], Y = seen.Y[i];
+    area += weight;
     if (R == 0.0) {
-      smooth += point.weight * -2.0 * kEulerGamma;
-      oscillation += point.weight;
+      smooth += weight * -2.0 * kEulerGamma;
+      oscillation += weight;
       continue;
     }
-    const WaveTerm w = waveTerm(X, Y);
-    const double towards = h > 0.0 ? point.weight * (along.x() * dx + along.y() * dy) / h : 0.0;
-    smooth += point.weight * (w.F + 2.0 * std::log(0.5 * (R + Y)));
-    smoothHorizontal += towards * (w.FX + 2.0 * X / (R * (R + Y)));
-    rest += point.weight * (w.F + 2.0 / R);
-    restAlong += towards * (w.FX - 2.0 * X / (R * R * R)) -
-                 point.weight * along.z() * (w.FY - 2.0 * Y / (R * R * R));
-    oscillation += point.weight * w.J0;
-    oscillationX += towards * w.J1;
+    const double perR = 1.0 / R, cube = perR * perR * perR;
+    const double F = seen.F[i], FX = seen.FX[i], FY = -F - 2.0 * perR, towards = seen.towards[i];
+    smooth += weight * (F + 2.0 * std::log(0.5 * (R + Y)));
+    smoothHorizontal += towards * (FX + 2.0 * X * perR / (R + Y));
+    rest += weight * (F + 2.0 * perR);
+    restAlong += towards * (FX - 2.0 * X * cube) - weight * along.z() * (FY - 2.0 * Y * cube);
+    oscillation += weight * seen.J0[i];
+    oscillationX += towards * seen.J1[i];
   }
   const double value = K * (smooth - 2.0 * (image.log + std::log(0.5 * K) * area));
   const double vertical = K * value + 2.0 * K * image.inverse;

@@ -14,9 +14,6 @@ namespace cutwater::wave_tables {
 inline constexpr std::size_t kPoints = 10;        ///< points per direction of a cell in the plane
 inline constexpr std::size_t kBesselPoints = 12;  ///< points of a Bessel cell
 
-/// Four numbers in one register where the machine has AVX, in two where not.
-using Four = double __attribute__((vector_size(32)));
-
 /// Two functions of two variables in one cell.
 struct alignas(64) Patch {
   static constexpr std::size_t kFours = kPoints / 2;  ///< of a row

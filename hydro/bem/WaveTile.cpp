@@ -1,0 +1,161 @@
+#include "hydro/bem/WaveTile.h"
+
+#include "hydro/Conventions.h"
+#include "hydro/Vector.h"
+#include "hydro/green/WaveTerm.h"
+
+namespace cutwater {
+namespace {
+
+constexpr double kTwoPi = 2.0 * kPi;
+constexpr double kFrom = 1.0, kFully = 2.0;  // X: the waves o count
+
+CUTWATER_INLINE Four load(const WaveTile::Column& column, std::size_t k) {
+  return *reinterpret_cast<const Four*>(column.data() + k);
+}
+CUTWATER_INLINE void store(WaveTile::Column& column, std::size_t k, Four value) {
+  *reinterpret_cast<Four*>(column.data() + k) = value;
+}
+CUTWATER_INLINE Four atLeast(Four a, double least) {
+  const Four limit = a * 0.0 + least;
+  return a > limit ? a : limit;
+}
+
+/// Derivatives, by X and Y, of a function that is harmonic in space. The others follow:
+/// bend = (∂/∂X)/X, XX = −bend − YY.
+struct Jet {
+  Four X, XY, YY, XYY, YYY;
+};
+
+/// K² times the moments of a tile.
+struct Moments {
+  Four along, across, mixed, alongUp, acrossUp, up;
+};
+
+/// ½⟨(s·∇)²⟩ of a function and of its derivatives along ê, across it and by Y.
+struct Second {
+  Four value, slope, across, byY;
+};
+
+CUTWATER_INLINE Second second(const Jet& a, Four X, const Moments& m) {
+  constexpr double kSmall = 1e-2;  // X; from there to 0 the limit
+  const auto clear = X > kSmall;
+  const Four zero = X * 0.0, perX = 1.0 / atLeast(X, kSmall);
+  const Four bend = clear ? a.X * perX : -0.5 * a.YY;
+  const Four XX = -bend - a.YY;
+  const Four bendX = clear ? (XX - bend) * perX : zero;
+  const Four bendY = clear ? a.XY * perX : -0.5 * a.YYY;
+  const Four XXX = -bendX - a.XYY, XXY = -bendY - a.YYY;
+  return {0.5 * (m.along * XX + m.across * bend + m.up * a.YY) - m.alongUp * a.XY,
+          0.5 * (m.along * XXX + m.across * bendX + m.up * a.XYY) - m.alongUp * XXY,
+          m.mixed * bendX - m.acrossUp * bendY,
+          0.5 * (m.along * XXY + m.across * bendY + m.up * a.YYY) - m.alongUp * a.XYY};
+}
+
+/// A complex number a lane.
+struct Pair4 {
+  Four re, im;
+};
+CUTWATER_INLINE Pair4 times(const Pair4& a, const Pair4& b) {
+  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+
+/// 2π e^{−Y} times the Bessel functions.
+struct Waves {
+  Four J0, J1, Y0, Y1;
+};
+
+/// What the panels' extent makes of the waves o = −(Y₀ + iJ₀), less o: by value, slope and across.
+struct WaveChange {
+  Pair4 value, slope, across;
+};
+
+// Outgoing waves go as H₀ = J₀ − iY₀ along ê. With d = H₀′/H₀ = −H₁/H₀ and Bessel's equation, their
+// second moments are ½[a(−1 − d/X) + c d/X + u] + t d, a along, c across, u up, t along and up; those
+// of a plane wave, which are in the form factor, ½[−a + u] − it. H₀′ has e = H₀″/H₀′ + 1/X = −1/d.
+CUTWATER_INLINE WaveChange change(const Waves& w, Four X, Four count, const Pair4& form,
+                                  const Moments& m) {
+  const Four same = w.J0 * w.J1 + w.Y0 * w.Y1, cross = w.J1 * w.Y0 - w.Y1 * w.J0;
+  const Four per0 = 1.0 / (w.J0 * w.J0 + w.Y0 * w.Y0 + 1e-300);
+  const Four per1 = 1.0 / (w.J1 * w.J1 + w.Y1 * w.Y1 + 1e-300);
+  const Pair4 d{-same * per0, -cross * per0}, e{same * per1, -cross * per1};
+  const Four perX = 1.0 / atLeast(X, 0.5 * kFrom);
+  const Four front = 0.5 * (m.across - m.along) * perX;
+  const Pair4 byValue = times(form, {1.0 + (front + m.alongUp) * d.re,
+                                     front * d.im + m.alongUp * (d.im + 1.0)});
+  const Pair4 bySlope = times(form, {1.0 + front * (e.re - 2.0 * perX) + m.alongUp * (e.re - perX),
+                                     front * e.im + m.alongUp * (e.im + 1.0)});
+  const Pair4 turn = times(form, {m.mixed * perX * (e.re - 2.0 * perX) + m.acrossUp * perX,
+                                  m.mixed * perX * e.im});
+  const Pair4 o{-count * w.Y0, -count * w.J0}, slope{count * w.Y1, count * w.J1};
+  return {times(o, {byValue.re - 1.0, byValue.im}), times(slope, {bySlope.re - 1.0, bySlope.im}),
+          times(slope, turn)};
+}
+
+/// 1/R and its derivatives by X and Y.
+struct Inverse {
+  Four r, X, Y, XY, YY, XYY, YYY;
+};
+CUTWATER_INLINE Inverse inverse(Four r, Four X, Four Y) {
+  const Four r2 = r * r, r3 = r * r2, r5 = 3.0 * r3 * r2, r7 = 5.0 * r5 * r2;
+  return {r,
+          -X * r3,
+          -Y * r3,
+          X * Y * r5,
+          Y * Y * r5 - r3,
+          X * r5 - X * Y * Y * r7,
+          3.0 * Y * r5 - Y * Y * Y * r7};
+}
+
+/// F + share/R without the part w of the waves. F_Y = −F − 2/R; w = −Y₀ falls as e^{−Y}.
+CUTWATER_INLINE Jet rest(Four F, Four FX, const Inverse& r, Four share, Four w0, Four w1) {
+  const Four FY = -F - 2.0 * r.r, FXY = -FX - 2.0 * r.X, FYY = -FY - 2.0 * r.Y;
+  const Four FXYY = -FXY - 2.0 * r.XY, FYYY = -FYY - 2.0 * r.YY;
+  return {FX + share * r.X - w1, FXY + share * r.XY + w1, FYY + share * r.YY + w0,
+          FXYY + share * r.XYY - w1, FYYY + share * r.YYY - w0};
+}
+
+}  // namespace
+
+void WaveTile::evaluate(double K) {
+  waveTerms(X.data(), Y.data(), kPairs,
+            {F.data(), FX.data(), J0.data(), J1.data(), Y0.data(), Y1.data()});
+  combine(K);
+}
+
+CUTWATER_VECTOR void WaveTile::combine(double K) {
+  const double KK = K * K, images = takeImages ? 2.0 : 0.0;
+  for (std::size_t k = 0; k < kPairs; k += 4) {
+    const Four x = load(X, k), f = load(F, k), fx = load(FX, k), use = load(active, k);
+    const Four ramp = atLeast((x - kFrom) / (kFully - kFrom), 0.0);
+    const Four place = 1.0 - atLeast(1.0 - ramp, 0.0);
+    const Four count = place * place * (3.0 - 2.0 * place);
+    const Waves w{kTwoPi * load(J0, k), kTwoPi * load(J1, k), kTwoPi * load(Y0, k),
+                  kTwoPi * load(Y1, k)};
+    const Moments m{KK * load(alongAlong, k),  KK * load(acrossAcross, k),
+                    KK * load(alongAcross, k), KK * load(alongUp, k),
+                    KK * load(acrossUp, k),    KK * load(upUp, k)};
+    const WaveChange waves = change(w, x, count, {load(formRe, k), load(formIm, k)}, m);
+
+    const Inverse r = inverse(1.0 / (K * load(R1, k)), x, load(Y, k));
+    const Four squared = r.r * r.r, fourth = 1.0 / (1.0 + 256.0 * squared * squared);
+    const Four part = images * fourth;
+    const Second real =
+        second(rest(f, fx, r, part, count * w.Y0, count * w.Y1), x, m);
+    const Four left0 = (1.0 - count) * w.J0, left1 = (1.0 - count) * w.J1;
+    const Second imaginary = second({left1, -left1, -left0, left1, left0}, x, m);
+
+    store(share, k, use * part);
+    store(valueRe, k, use * K * (f + part * r.r + waves.value.re + real.value));
+    store(valueIm, k, use * K * (waves.value.im - w.J0 + imaginary.value));
+    store(slopeRe, k, use * KK * (fx + part * r.X + waves.slope.re + real.slope));
+    store(slopeIm, k, use * KK * (w.J1 + waves.slope.im + imaginary.slope));
+    store(acrossRe, k, use * KK * (waves.across.re + real.across));
+    store(acrossIm, k, use * KK * (waves.across.im + imaginary.across));
+    store(riseRe, k,
+          use * KK * (part * r.Y - f - 2.0 * r.r - waves.value.re + real.byY));
+    store(riseIm, k, use * KK * (w.J0 - waves.value.im + imaginary.byY));
+  }
+}
+
+}  // namespace cutwater

@@ -1,0 +1,38 @@
+#pragma once
+#include <array>
+#include <cstddef>
+
+namespace cutwater {
+
+/// Pairs of two blocks of panels whose wave terms are worked out together, member by member; all of it
+/// stays in the processor's nearest caches. Place kSide·source + field.
+struct WaveTile {
+  static constexpr std::size_t kSide = 16, kPairs = kSide * kSide;
+  struct alignas(64) Column : std::array<double, kPairs> {};
+
+  // In. ê horizontal unit vector from the field panel (or its mirror image) to the source panel.
+  Column ex, ey;
+  Column X, Y, R1;  ///< K·(distance along ê), −K(z + ζ), distance to the image in z = 0 [m]
+  Column active;    ///< 1, or 0: the results are 0. Then X = 0, Y = 1, R1 = 1/K
+  Column formRe, formIm;  ///< product of the panels' form factors (FormFactors.h)
+  /// Mean products of distances from the centroids, sum over both panels [m²].
+  Column alongAlong, acrossAcross, alongAcross, alongUp, acrossUp, upUp;
+  /// Take −2/R₁ out of K F as far as it has become that: its exact integral is at hand.
+  bool takeImages = false;
+
+  // Out: g = K F − 2πiK e^{−Y}J₀, meant over both panels, by what FarWave.h says.
+  Column valueRe, valueIm;    ///< g [1/m]
+  Column slopeRe, slopeIm;    ///< derivative along ê by the source [1/m²]
+  Column acrossRe, acrossIm;  ///< at right angles to ê
+  Column riseRe, riseIm;      ///< −∂g/∂ζ
+  Column share;               ///< of −1/R₁ taken out, 0 … 2
+
+  /// @param K ω²/g [1/m].
+  void evaluate(double K);
+
+ private:
+  void combine(double K);
+  Column F, FX, J0, J1, Y0, Y1;
+};
+
+}  // namespace cutwater
