@@ -110,6 +110,12 @@ CUTWATER_VECTOR void FarWave::place(const Block& field, const Block& source, boo
                  k = static_cast<std::size_t>(kSide * j + i);
       const double dx = x_[s] - x_[f], dy = y_[s] - side * y_[f], depth = -(z_[f] + z_[s]);
       const double hh = dx * dx + dy * dy, h = std::sqrt(hh), R1 = std::sqrt(hh + depth * depth);
+      t.sourceX[k] = nx_[s];
+      t.sourceY[k] = ny_[s];
+      t.sourceZ[k] = nz_[s];
+      t.fieldX[k] = -nx_[f];
+      t.fieldY[k] = -side * ny_[f];
+      t.fieldZ[k] = nz_[f];
       t.ex[k] = h > 0.0 ? dx / h : 1.0;
       t.ey[k] = h > 0.0 ? dy / h : 0.0;
       if (far[f] == 0) continue;
@@ -154,46 +160,40 @@ CUTWATER_VECTOR void FarWave::weigh(const FormFactors& form, const Block& field,
   }
 }
 
-// Seen the other way round ê is −ê, with y mirrored where the field panel was. The normal is the
-// source's (potential) or the field's with its horizontal part reversed (source), see PanelPairs.
+// The normal is the source's (potential) or the field's with its horizontal part reversed (source),
+// see PanelPairs. Seen the other way round ê is −ê, with y mirrored where the field panel was.
 CUTWATER_VECTOR void FarWave::write(const Target& target, double K,
                                     const std::array<WaveTile, 2>& tiles, Parity parity,
                                     InfluenceSystem<Complex>& system) const {
   const auto [field, source, exchanged] = target;
   const bool isSource = pairs_.isSource();
   const bool onLid = (isSource ? field : source).begin >= pairs_.hull();
-  const bool ofTileSource = isSource == exchanged;
-  for (int c = 0; c < source.size; ++c) {
-    const int column = source.begin + c;
-    const double area = kG * area_[static_cast<std::size_t>(column)];
-    Complex* L = &system.L(field.begin, column);
-    Complex* R = onLid ? nullptr : &system.R(field.begin, column);
-    Complex* H = onLid || system.H.size() == 0 ? nullptr : &system.H(field.begin, column);
-    for (int m = 0; m < pairs_.parities(); ++m) {
-      const WaveTile& t = tiles[static_cast<std::size_t>(m)];
-      const double mirror = m == 1 ? -1.0 : 1.0;
-      const double weight = parity == Parity::Odd ? mirror * area : area;
-      for (int r = 0; r < field.size; ++r) {
-        const auto k = static_cast<std::size_t>(exchanged ? kSide * r + c : kSide * c + r);
-        const Complex value(weight * t.valueRe[k], weight * t.valueIm[k]);
-        if (onLid) {
-          L[r] += Complex(K * value.real(), K * value.imag());
-          continue;
-        }
-        const auto f = static_cast<std::size_t>((ofTileSource == exchanged ? field.begin + r : column));
-        const double nx = ofTileSource ? nx_[f] : -nx_[f],
-                     ny = ofTileSource ? ny_[f] : -mirror * ny_[f];
-        const double along = nx * t.ex[k] + ny * t.ey[k], across = ny * t.ex[k] - nx * t.ey[k];
-        L[r] += Complex(weight * (along * t.slopeRe[k] + across * t.acrossRe[k] - nz_[f] * t.riseRe[k]),
-                        weight * (along * t.slopeIm[k] + across * t.acrossIm[k] - nz_[f] * t.riseIm[k]));
-        R[r] += value;
-        if (H == nullptr) continue;
-        const double away = exchanged ? weight : -weight;
-        H[r] += Complex(away * (t.ex[k] * t.slopeRe[k] - t.ey[k] * t.acrossRe[k]),
-                        away * (t.ex[k] * t.slopeIm[k] - t.ey[k] * t.acrossIm[k]));
+  const bool ofTileSource = isSource == exchanged, one = pairs_.parities() == 1;
+  const double mirror = one ? 0.0 : parity == Parity::Odd ? -1.0 : 1.0;
+  const WaveTile &a = tiles[0], &b = tiles[one ? 0 : 1];
+  const auto add = [&](const WaveTile::Column WaveTile::*re, const WaveTile::Column WaveTile::*im,
+                       double factor, Eigen::MatrixXcd& to) {
+    const WaveTile::Column &aRe = a.*re, &aIm = a.*im, &bRe = b.*re, &bIm = b.*im;
+    const std::size_t stepRow = exchanged ? WaveTile::kSide : 1,
+                      stepColumn = exchanged ? 1 : WaveTile::kSide;
+    for (int c = 0; c < source.size; ++c) {
+      const double weight = factor * area_[static_cast<std::size_t>(source.begin + c)];
+      auto* entry = reinterpret_cast<double*>(&to(field.begin, source.begin + c));
+      std::size_t k = stepColumn * static_cast<std::size_t>(c);
+      for (int r = 0; r < field.size; ++r, k += stepRow) {
+        entry[2 * r] += weight * (aRe[k] + mirror * bRe[k]);
+        entry[2 * r + 1] += weight * (aIm[k] + mirror * bIm[k]);
       }
     }
-  }
+  };
+  if (onLid) return add(&WaveTile::valueRe, &WaveTile::valueIm, kG * K, system.L);
+  if (ofTileSource)
+    add(&WaveTile::sourceRe, &WaveTile::sourceIm, kG, system.L);
+  else
+    add(&WaveTile::fieldRe, &WaveTile::fieldIm, kG, system.L);
+  add(&WaveTile::valueRe, &WaveTile::valueIm, kG, system.R);
+  if (system.H.size() > 0)
+    add(&WaveTile::xRe, &WaveTile::xIm, exchanged ? kG : -kG, system.H);
 }
 
 // With a, b the shares of a panel and of its mirror image, E and O the integrals of the two parities:

@@ -77,32 +77,28 @@ std::array<InfluenceSystem<Complex>, 2> InfluenceMatrices::atWaveNumber(double K
   return systems;
 }
 
-/// The parts that need no wave term, the lid's rows at share 1 and without their own densities.
+/// Room for the systems, with what needs no wave term, the lid's rows at share 1 and without their own
+/// densities.
 void InfluenceMatrices::start(double K, int all, Systems& systems) const {
   const int hull = pairs_.hull(), lid = all - hull;
   for (int p = 0; p < parities(); ++p) {
     const RankineParts& part = rankine_.parts(static_cast<Parity>(p));
     auto& [L, R, H, formulation] = systems[static_cast<std::size_t>(p)];
     formulation = settings().formulation;
-    const auto both = [&](const Eigen::MatrixXd& direct, const Eigen::MatrixXd& image, int rows,
-                          int columns) -> Eigen::MatrixXcd {
-      return (kG * (direct.topLeftCorner(rows, columns) + image.topLeftCorner(rows, columns)))
-          .template cast<Complex>();
+    const auto G = [&](const Eigen::MatrixXd& rigid, int rows, int columns) -> Eigen::MatrixXcd {
+      return kG * rigid.topLeftCorner(rows, columns).cast<Complex>();
     };
-    const Eigen::MatrixXcd G = both(part.direct, part.image, all, all);
-    L = both(part.directNormal, part.imageNormal, all, all);
+    L = G(part.rigidNormal, all, all);
     if (pairs_.isSource()) {
-      L.bottomRows(lid) = K * G.bottomRows(lid);
-      R = G.topRows(hull);
-      if (settings().xDerivative) {
-        H = both(part.directX, part.imageX, hull, all);
-        for (int i = 0; i < hull; ++i) H(i, i) += 0.5 * pairs_.panel(i).normal.x();
-      }
+      R = G(part.rigid, hull, all);
+      L.bottomRows(lid) = K * kG * part.rigid.block(hull, 0, lid, all).cast<Complex>();
+      if (settings().xDerivative) H = G(part.rigidX, hull, all);
     } else {
-      L.rightCols(lid) = K * G.rightCols(lid);
-      R = G.leftCols(hull);
+      R = G(part.rigid, all, hull);
+      L.rightCols(lid) = K * kG * part.rigid.block(0, hull, all, lid).cast<Complex>();
     }
     L.diagonal().head(hull).array() += 0.5;
+    for (int i = 0; i < hull && H.size() > 0; ++i) H(i, i) += 0.5 * pairs_.panel(i).normal.x();
   }
 }
 
@@ -231,18 +227,18 @@ void InfluenceMatrices::addNearWaves(double K, int all, Systems& systems) const 
 InfluenceSystem<double> InfluenceMatrices::atLimit(FrequencyLimit limit, Parity parity) const {
   const RankineParts& part = rankine_.parts(parity);
   const int hull = pairs_.hull();
-  const double sign = limit == FrequencyLimit::Zero ? 1.0 : -1.0;
-  const auto both = [&](const Eigen::MatrixXd& direct,
+  const double images = limit == FrequencyLimit::Zero ? 0.0 : 2.0;  // of the two in `rigid`
+  const auto both = [&](const Eigen::MatrixXd& rigid,
                         const Eigen::MatrixXd& image) -> Eigen::MatrixXd {
-    return kG * (direct.topLeftCorner(hull, hull) + sign * image.topLeftCorner(hull, hull));
+    return kG * (rigid.topLeftCorner(hull, hull) - images * image.topLeftCorner(hull, hull));
   };
   InfluenceSystem<double> system;
   system.formulation = settings().formulation;
-  system.L = both(part.directNormal, part.imageNormal);
+  system.L = both(part.rigidNormal, part.imageNormal);
   system.L.diagonal().array() += 0.5;
-  system.R = both(part.direct, part.image);
+  system.R = both(part.rigid, part.image);
   if (!settings().xDerivative) return system;
-  system.H = both(part.directX, part.imageX);
+  system.H = both(part.rigidX, part.imageX);
   for (int i = 0; i < hull; ++i) system.H(i, i) += 0.5 * pairs_.panel(i).normal.x();
   return system;
 }

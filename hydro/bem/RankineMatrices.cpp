@@ -35,10 +35,10 @@ RankineMatrices::RankineMatrices(const PanelPairs& pairs)
   const int all = pairs.all();
   for (int p = 0; p < pairs.parities(); ++p) {
     RankineParts& part = parts_[static_cast<std::size_t>(p)];
-    for (Eigen::MatrixXd* m : {&part.direct, &part.image, &part.directNormal, &part.imageNormal})
+    for (Eigen::MatrixXd* m : {&part.rigid, &part.image, &part.rigidNormal, &part.imageNormal})
       m->resize(all, all);
     if (!pairs.settings().xDerivative) continue;
-    part.directX.resize(all, all);
+    part.rigidX.resize(all, all);
     part.imageX.resize(all, all);
   }
   parallelFor(all, pairs.settings().threads, [this](int source) {
@@ -69,17 +69,15 @@ void RankineMatrices::integrate(int source) {
     }
     for (int p = 0; p < pairs_.parities(); ++p) {
       RankineParts& part = parts_[static_cast<std::size_t>(p)];
-      const auto put = [&](Eigen::MatrixXd& to, const std::array<Sample, 2>& from,
-                           double Sample::*what) {
-        to(field, source) = from[0].*what + (p == 0 ? 1.0 : -1.0) * from[1].*what;
+      const auto put = [&](Eigen::MatrixXd& rigid, Eigen::MatrixXd& ofImage, double Sample::*what) {
+        const double odd = p == 0 ? 1.0 : -1.0;
+        const double mirrored = image[0].*what + odd * image[1].*what;
+        ofImage(field, source) = mirrored;
+        rigid(field, source) = direct[0].*what + odd * direct[1].*what + mirrored;
       };
-      put(part.direct, direct, &Sample::potential);
-      put(part.image, image, &Sample::potential);
-      put(part.directNormal, direct, &Sample::normal);
-      put(part.imageNormal, image, &Sample::normal);
-      if (!pairs_.settings().xDerivative) continue;
-      put(part.directX, direct, &Sample::x);
-      put(part.imageX, image, &Sample::x);
+      put(part.rigid, part.image, &Sample::potential);
+      put(part.rigidNormal, part.imageNormal, &Sample::normal);
+      if (pairs_.settings().xDerivative) put(part.rigidX, part.imageX, &Sample::x);
     }
   }
 }

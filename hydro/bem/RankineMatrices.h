@@ -7,9 +7,9 @@ namespace cutwater {
 /// What does not depend on frequency, of one parity: integrals over the source panel, averaged over
 /// the field panel. [field, source], (n + m)².
 struct RankineParts {
-  Eigen::MatrixXd direct, image;              ///< ∫ 1/R dS, ∫ 1/R₁ dS [m]
-  Eigen::MatrixXd directNormal, imageNormal;  ///< their normal derivatives: ∂/∂n_ξ or ∂/∂n_x [–]
-  Eigen::MatrixXd directX, imageX;            ///< ∂/∂x; empty without H [–]
+  Eigen::MatrixXd rigid, image;              ///< ∫ 1/R + 1/R₁ dS, ∫ 1/R₁ dS [m]
+  Eigen::MatrixXd rigidNormal, imageNormal;  ///< their normal derivatives: ∂/∂n_ξ or ∂/∂n_x [–]
+  Eigen::MatrixXd rigidX, imageX;            ///< ∂/∂x; empty without H [–]
 };
 
 /// One pair whose free-surface image is near, with the singular part of its wave term.

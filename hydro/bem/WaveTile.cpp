@@ -148,13 +148,28 @@ CUTWATER_VECTOR void WaveTile::combine(double K) {
     store(share, k, use * part);
     store(valueRe, k, use * K * (f + part * r.r + waves.value.re + real.value));
     store(valueIm, k, use * K * (waves.value.im - w.J0 + imaginary.value));
-    store(slopeRe, k, use * KK * (fx + part * r.X + waves.slope.re + real.slope));
-    store(slopeIm, k, use * KK * (w.J1 + waves.slope.im + imaginary.slope));
-    store(acrossRe, k, use * KK * (waves.across.re + real.across));
-    store(acrossIm, k, use * KK * (waves.across.im + imaginary.across));
-    store(riseRe, k,
-          use * KK * (part * r.Y - f - 2.0 * r.r - waves.value.re + real.byY));
-    store(riseIm, k, use * KK * (w.J0 - waves.value.im + imaginary.byY));
+    const Pair4 slope{use * KK * (fx + part * r.X + waves.slope.re + real.slope),
+                      use * KK * (w.J1 + waves.slope.im + imaginary.slope)};
+    const Pair4 across{use * KK * (waves.across.re + real.across),
+                       use * KK * (waves.across.im + imaginary.across)};
+    const Pair4 rise{use * KK * (part * r.Y - f - 2.0 * r.r - waves.value.re + real.byY),
+                     use * KK * (w.J0 - waves.value.im + imaginary.byY)};
+    const Four ax = load(ex, k), ay = load(ey, k);
+    const Pair4 byX{ax * slope.re - ay * across.re, ax * slope.im - ay * across.im};
+    const Pair4 byY{ay * slope.re + ax * across.re, ay * slope.im + ax * across.im};
+    const auto derivative = [&](const Column& x, const Column& y, const Column& z) {
+      const Four nx = load(x, k), ny = load(y, k), nz = load(z, k);
+      return Pair4{nx * byX.re + ny * byY.re - nz * rise.re,
+                   nx * byX.im + ny * byY.im - nz * rise.im};
+    };
+    const Pair4 atSource = derivative(sourceX, sourceY, sourceZ),
+                atField = derivative(fieldX, fieldY, fieldZ);
+    store(sourceRe, k, atSource.re);
+    store(sourceIm, k, atSource.im);
+    store(fieldRe, k, atField.re);
+    store(fieldIm, k, atField.im);
+    store(xRe, k, byX.re);
+    store(xIm, k, byX.im);
   }
 }
 

@@ -17,14 +17,16 @@ struct WaveTile {
   Column formRe, formIm;  ///< product of the panels' form factors (FormFactors.h)
   /// Mean products of distances from the centroids, sum over both panels [m²].
   Column alongAlong, acrossAcross, alongAcross, alongUp, acrossUp, upUp;
+  Column sourceX, sourceY, sourceZ;  ///< normals of the source panels
+  Column fieldX, fieldY, fieldZ;     ///< of the field panels or their mirror images, x, y reversed
   /// Take −2/R₁ out of K F as far as it has become that: its exact integral is at hand.
   bool takeImages = false;
 
   // Out: g = K F − 2πiK e^{−Y}J₀, meant over both panels, by what FarWave.h says.
   Column valueRe, valueIm;    ///< g [1/m]
-  Column slopeRe, slopeIm;    ///< derivative along ê by the source [1/m²]
-  Column acrossRe, acrossIm;  ///< at right angles to ê
-  Column riseRe, riseIm;      ///< −∂g/∂ζ
+  Column sourceRe, sourceIm;  ///< derivative by the source along its normal [1/m²]
+  Column fieldRe, fieldIm;    ///< by the source along the field panel's reversed normal
+  Column xRe, xIm;            ///< by the source along x
   Column share;               ///< of −1/R₁ taken out, 0 … 2
 
   /// @param K ω²/g [1/m].

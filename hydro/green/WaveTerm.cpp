@@ -46,15 +46,10 @@ constexpr std::array<double, kHankelTerms> hankel(int order) {
 CUTWATER_INLINE Bessel besselByHankel(double X) {
   static constexpr auto a0 = hankel(0), a1 = hankel(1);
   const double t = 1.0 / X, tt = t * t;
-  double p0 = 0.0, q0 = 0.0, p1 = 0.0, q1 = 0.0;
-  for (std::size_t k = kHankelTerms; k > 0; k -= 2) {
-    q0 = q0 * tt + a0[k - 1];
-    q1 = q1 * tt + a1[k - 1];
-    p0 = p0 * tt + a0[k - 2];
-    p1 = p1 * tt + a1[k - 2];
-  }
-  q0 *= t;
-  q1 *= t;
+  Four sum = {};  // P₀, Q₀/t, P₁, Q₁/t
+  for (std::size_t k = kHankelTerms; k > 0; k -= 2)
+    sum = sum * tt + Four{a0[k - 2], a0[k - 1], a1[k - 2], a1[k - 1]};
+  const double p0 = sum[0], q0 = t * sum[1], p1 = sum[2], q1 = t * sum[3];
   const double amplitude = std::sqrt(t / kPi);  // √(2/πX)/√2
   const double sine = std::sin(X), cosine = std::cos(X);
   const double c = amplitude * (cosine + sine), s = amplitude * (sine - cosine);
@@ -71,60 +66,91 @@ CUTWATER_INLINE Place place(double scaled, std::size_t last) {
   return {i, 2.0 * (scaled - static_cast<double>(i)) - 1.0};
 }
 
-// F = −2 e^{−Y} J₀ ln((R+Y)/2) + S,  ∂F/∂X = 2 e^{−Y}[J₁ ln((R+Y)/2) − J₀ X/(R(R+Y))] + (X/R) T.
-CUTWATER_INLINE WaveTerm near(const Tables& tables, double X, double Y, double R,
-                              const Patch& patch, double a, double b) {
-  const double E = std::exp(-Y), L = std::log(0.5 * (R + Y));
-  const Bessel bessel = besselFromTable(tables.bessel.data(), X);
-  const double J0 = E * bessel.J0, J1 = E * bessel.J1;
-  const auto [S, T] = patch.at(a, b);
-  const double F = S - 2.0 * J0 * L;
-  const double sine = X / R;
-  return {F,  2.0 * J1 * L + sine * (T - 2.0 * J0 / (R + Y)), -F - 2.0 / R, J0, J1,
-          E * bessel.Y0, E * bessel.Y1};
+// Below kSilent the waves are less than round-off; there X may be small, where Y₀ is not finite. Above
+// it X > 15 where Y₀ is needed: R > 36 or α < 3/4.
+constexpr double kSilent = 32.0;
+
+/// Points that are worked out together, one step for all at a time: within a step they do not wait
+/// for each other.
+struct Points {
+  static constexpr std::size_t kMost = 64;
+  std::array<double, kMost> R, a, b;  // place in the patch
+  std::array<const Patch*, kMost> patch;
+  std::array<bool, kMost> isNear;
+  std::array<double, kMost> S, T;  // what the patch holds
+
+  CUTWATER_INLINE void find(const Tables& tables, const double* X, const double* Y,
+                            std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double r = std::sqrt(X[i] * X[i] + Y[i] * Y[i]), alpha = Y[i] / r;
+      R[i] = r;
+      if (r < kNear) {
+        const Place ring = place(r, kRings - 1);
+        const Place column = place(alpha * static_cast<double>(ring.cell + 2), ring.cell + 1);
+        put(i, true, tables.near[ringBegin(ring.cell) + column.cell], ring, column);
+        continue;
+      }
+      const Place row = place(1.0 / (r * kRowWidth), kFarRows - 1);
+      if (row.cell >= kSteepRow && alpha >= kSteep) {
+        const Place column =
+            place((alpha - kSteep) * (kSteepColumns / (1.0 - kSteep)), kSteepColumns - 1);
+        put(i, true, tables.steep[(row.cell - kSteepRow) * kSteepColumns + column.cell], row,
+            column);
+        continue;
+      }
+      const Place column = place(alpha * kFarColumns, kFarColumns - 1);
+      put(i, false, tables.far[row.cell * kFarColumns + column.cell], row, column);
+    }
+  }
+  CUTWATER_INLINE void interpolate(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::array<double, 2> f = patch[i]->at(a[i], b[i]);
+      S[i] = f[0];
+      T[i] = f[1];
+    }
+  }
+
+ private:
+  CUTWATER_INLINE void put(std::size_t i, bool near, const Patch& in, const Place& row,
+                           const Place& column) {
+    isNear[i] = near;
+    patch[i] = &in;
+    a[i] = row.local;
+    b[i] = column.local;
+  }
+};
+
+/// e^{−Y} times the Bessel functions, 0 where that is less than round-off.
+CUTWATER_INLINE void bessels(const Tables& tables, const double* X, const double* Y,
+                             std::size_t count, const WaveTermArrays& terms) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool silent = Y[i] >= kSilent && X[i] * X[i] + Y[i] * Y[i] > 36.0 * 36.0;
+    const double E = silent ? 0.0 : std::exp(-Y[i]);
+    const Bessel f = X[i] < kBesselCells ? besselFromTable(tables.bessel.data(), X[i])
+                                         : besselByHankel(X[i]);
+    terms.J0[i] = E * f.J0;
+    terms.J1[i] = E * f.J1;
+    terms.Y0[i] = E * f.Y0;
+    terms.Y1[i] = E * f.Y1;
+  }
 }
 
-// F = −2π e^{−Y} Y₀ + W. Below kSilent the waves are less than round-off; there X may be small,
-// where Y₀ is not finite. Above it X > 15, for R > 36 or α < 3/4 here.
-CUTWATER_INLINE WaveTerm far(const Tables& tables, double X, double Y, double R,
-                             const Patch& patch, double a, double b) {
-  constexpr double kSilent = 32.0;
-  const double inverse = 1.0 / R;
-  const auto [w, slope] = patch.at(a, b);
-  WaveTerm term{-2.0 * w * inverse, 2.0 * X * slope * inverse * inverse * inverse};
-  if (Y < kSilent) {
-    const double E = std::exp(-Y);
-    const Bessel bessel =
-        X < kBesselCells ? besselFromTable(tables.bessel.data(), X) : besselByHankel(X);
-    term.J0 = E * bessel.J0;
-    term.J1 = E * bessel.J1;
-    term.Y0 = E * bessel.Y0;
-    term.Y1 = E * bessel.Y1;
-    term.F -= 2.0 * kPi * term.Y0;
-    term.FX += 2.0 * kPi * term.Y1;
+// near: F = −2 e^{−Y} J₀ ln((R+Y)/2) + S,
+//       ∂F/∂X = 2 e^{−Y}[J₁ ln((R+Y)/2) − J₀ X/(R(R+Y))] + (X/R) T
+// far:  F = −2π e^{−Y} Y₀ − 2S/R,  ∂F/∂X = 2π e^{−Y} Y₁ + 2XT/R³
+CUTWATER_INLINE void finish(const Points& p, const double* X, const double* Y, std::size_t count,
+                            const WaveTermArrays& terms) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const double R = p.R[i], perR = 1.0 / R, S = p.S[i], T = p.T[i];
+    if (p.isNear[i]) {
+      const double L = 2.0 * std::log(0.5 * (R + Y[i]));
+      terms.F[i] = S - terms.J0[i] * L;
+      terms.FX[i] = terms.J1[i] * L + X[i] * perR * (T - 2.0 * terms.J0[i] / (R + Y[i]));
+    } else {
+      terms.F[i] = -2.0 * S * perR - 2.0 * kPi * terms.Y0[i];
+      terms.FX[i] = 2.0 * X[i] * T * perR * perR * perR + 2.0 * kPi * terms.Y1[i];
+    }
   }
-  term.FY = -term.F - 2.0 * inverse;
-  return term;
-}
-
-CUTWATER_INLINE WaveTerm evaluate(const Tables& tables, double X, double Y) {
-  const double R = std::sqrt(X * X + Y * Y), alpha = Y / R;
-  if (R < kNear) {
-    const Place ring = place(R, kRings - 1);
-    const Place column = place(alpha * static_cast<double>(ring.cell + 2), ring.cell + 1);
-    const Patch& patch = tables.near[ringBegin(ring.cell) + column.cell];
-    return near(tables, X, Y, R, patch, ring.local, column.local);
-  }
-  const Place row = place(1.0 / (R * kRowWidth), kFarRows - 1);
-  if (row.cell >= kSteepRow && alpha >= kSteep) {
-    const Place column =
-        place((alpha - kSteep) * (kSteepColumns / (1.0 - kSteep)), kSteepColumns - 1);
-    const Patch& patch = tables.steep[(row.cell - kSteepRow) * kSteepColumns + column.cell];
-    return near(tables, X, Y, R, patch, row.local, column.local);
-  }
-  const Place column = place(alpha * kFarColumns, kFarColumns - 1);
-  const Patch& patch = tables.far[row.cell * kFarColumns + column.cell];
-  return far(tables, X, Y, R, patch, row.local, column.local);
 }
 
 }  // namespace
@@ -139,14 +165,15 @@ WaveTerm waveTerm(double X, double Y) {
 CUTWATER_VECTOR void waveTerms(const double* X, const double* Y, std::size_t count,
                                const WaveTermArrays& terms) {
   const Tables& all = tables();
-  for (std::size_t i = 0; i < count; ++i) {
-    const WaveTerm one = evaluate(all, X[i], Y[i]);
-    terms.F[i] = one.F;
-    terms.FX[i] = one.FX;
-    terms.J0[i] = one.J0;
-    terms.J1[i] = one.J1;
-    terms.Y0[i] = one.Y0;
-    terms.Y1[i] = one.Y1;
+  Points points;
+  for (std::size_t from = 0; from < count; from += Points::kMost) {
+    const std::size_t some = std::min(Points::kMost, count - from);
+    const WaveTermArrays part{terms.F + from,  terms.FX + from, terms.J0 + from,
+                              terms.J1 + from, terms.Y0 + from, terms.Y1 + from};
+    points.find(all, X + from, Y + from, some);
+    points.interpolate(some);
+    bessels(all, X + from, Y + from, some, part);
+    finish(points, X + from, Y + from, some, part);
   }
 }
 
