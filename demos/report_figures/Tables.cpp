@@ -95,10 +95,8 @@ void timeOurs(const Mesh& mesh, const std::vector<double>& omegas, Breakdown& ti
     });
     times.timed("x derivatives by Stokes' theorem", share,
                 [&] { return impulseMatrixX(system, phi, normals, stokes, ship.density); });
-    times.timed("adjoint vectors", share, [&] {
-      adjointVectors(system, normals, ship.density);
-      return adjointVectorsX(system, normals, stokes, ship.density);
-    });
+    times.timed("adjoint vectors", share,
+                [&] { return adjointVectors(system, normals, ship.density, &stokes); });
     const std::vector<IncidentVelocity> waves{incidentNormalVelocity(
         matrices.mesh(), AiryWave{omega, kHeadings[1], ship.gravity}, ship.cog)};
     times.timed("one wave's diffraction, even and odd", share,

@@ -129,6 +129,8 @@ double resolved(const PanelMesh& mesh, double gravity) {
 /// only its own places, so threads need no lock.
 class Sweep {
  public:
+  using Systems = std::array<InfluenceSystem<Complex>, 2>;
+
   Sweep(Coefficients& out, const SolveSettings& settings, int threads)
       : out_(out),
         settings_(settings),
@@ -161,33 +163,34 @@ class Sweep {
       for (int p = 0; p < matrices_.parities(); ++p)
         pairs[static_cast<std::size_t>(p)] = matrices_.atLimit(limit, static_cast<Parity>(p));
       const SymmetricSystem<double> system(std::move(pairs), matrices_.parities());
-      const auto phi = radiationPotentials(system, normals_);
+      const AdjointVectors b = adjointsOf(system);
       const bool zero = limit == FrequencyLimit::Zero;
-      const double density = out_.ship.density;
-      (zero ? out_.addedMassZero : out_.addedMassInf) = impulseMatrix(phi, normals_, density);
+      (zero ? out_.addedMassZero : out_.addedMassInf) =
+          (Complex(0.0, 1.0) * forcesOnUnitMotions(b.omega, normals_)).real();
       if (settings_.xDerivatives)
         (zero ? out_.addedMassXZero : out_.addedMassXInf) =
-            impulseMatrixX(system, phi, normals_, derivative_, density);
+            forcesOnUnitMotions(b.speed, normals_).real();
       if (settings_.influence != Influence::Adjoint) continue;
-      (zero ? out_.adjointZero : out_.adjointInf) = adjointVectors(system, normals_, density);
-      if (settings_.xDerivatives)
-        (zero ? out_.adjointXZero : out_.adjointXInf) =
-            adjointVectorsX(system, normals_, derivative_, density);
+      (zero ? out_.adjointZero : out_.adjointInf) = b.omega;
+      if (settings_.xDerivatives) (zero ? out_.adjointXZero : out_.adjointXInf) = b.speed;
     }
   }
 
-  void solve(std::size_t i) {
+  /// @param room  reused from one frequency to the next of a thread.
+  void solve(std::size_t i, Systems& room) {
     const double omega = out_.omega[i], K = omega * omega / out_.ship.gravity;
-    const SymmetricSystem<Complex> system(matrices_.atWaveNumber(K), matrices_.parities());
-    radiate(system, i);
-    diffract(system, i);
+    SymmetricSystem<Complex> system(matrices_.atWaveNumber(K, IdleLid::Drop, std::move(room)),
+                                    matrices_.parities());
+    const AdjointVectors b = adjointsOf(system);
+    radiate(b, i);
+    diffract(b, i);
     if (settings_.influence == Influence::Adjoint) {
-      out_.adjoint[i] = adjointVectors(system, normals_, out_.ship.density);
-      if (settings_.xDerivatives)
-        out_.adjointX[i] = adjointVectorsX(system, normals_, derivative_, out_.ship.density);
+      out_.adjoint[i] = b.omega;
+      if (settings_.xDerivatives) out_.adjointX[i] = b.speed;
     }
     out_.conditionEven[i] = system.condition(Parity::Even);
     if (matrices_.parities() == 2) out_.conditionOdd[i] = system.condition(Parity::Odd);
+    room = std::move(system).release();
   }
 
   void tableDiffraction(int threads) {
@@ -207,30 +210,31 @@ class Sweep {
     return mesh;
   }
 
-  void radiate(const SymmetricSystem<Complex>& system, std::size_t i) {
-    const double omega = out_.omega[i], density = out_.ship.density;
-    const auto phi = radiationPotentials(system, normals_);
-    const CMat6 Z = impulseMatrix(phi, normals_, density);
+  template <typename Scalar>
+  AdjointVectors adjointsOf(const SymmetricSystem<Scalar>& system) const {
+    return adjointVectors(system, normals_, out_.ship.density,
+                          settings_.xDerivatives ? &derivative_ : nullptr);
+  }
+
+  void radiate(const AdjointVectors& b, std::size_t i) {
+    const double omega = out_.omega[i];
+    const CMat6 Z = Complex(0.0, 1.0) * forcesOnUnitMotions(b.omega, normals_);
     out_.addedMass[i] = addedMass(Z);
     out_.damping[i] = damping(Z, omega);
     if (!settings_.xDerivatives) return;
-    const CMat6 ZX = impulseMatrixX(system, phi, normals_, derivative_, density);
+    const CMat6 ZX = forcesOnUnitMotions(b.speed, normals_);
     out_.addedMassX[i] = addedMass(ZX);
     out_.dampingX[i] = damping(ZX, omega);
   }
 
-  void diffract(const SymmetricSystem<Complex>& system, std::size_t i) {
+  void diffract(const AdjointVectors& b, std::size_t i) {
     const ShipParticulars& ship = out_.ship;
-    const PanelMesh& mesh = matrices_.mesh();
-    std::vector<IncidentVelocity> velocities;
     for (std::size_t h = 0; h < out_.headings.size(); ++h) {
       const AiryWave wave{out_.omega[i], out_.headings[h], ship.gravity};
       out_.froudeKrylov[h][i] = froudeKrylovForce(faces_, wave, ship.cog, ship.density);
-      velocities.push_back(incidentNormalVelocity(mesh, wave, ship.cog));
+      out_.diffraction[h][i] =
+          out_.omega[i] * diffractionForce(b.omega, matrices_.mesh(), wave, ship.cog);
     }
-    const auto forces = diffraction(system, normals_, velocities, ship.density);
-    for (std::size_t h = 0; h < forces.size(); ++h)
-      out_.diffraction[h][i] = out_.omega[i] * forces[h].omega;
   }
 
   Coefficients& out_;
@@ -265,8 +269,9 @@ Coefficients buildCoefficients(const ShipParticulars& ship, const SolveSettings&
   const int total = static_cast<int>(out.omega.size());
   int done = 0;
   std::mutex guard;  // of `done` and of progress
+  std::vector<Sweep::Systems> rooms(static_cast<std::size_t>(threads));
   parallelFor(total, threads, [&](int i) {
-    sweep.solve(static_cast<std::size_t>(i));
+    sweep.solve(static_cast<std::size_t>(i), rooms[static_cast<std::size_t>(omp_get_thread_num())]);
     const std::lock_guard lock(guard);
     ++done;
     if (progress) progress(done, total);

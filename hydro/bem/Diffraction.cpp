@@ -32,50 +32,47 @@ std::vector<DiffractionParts> diffraction(const SymmetricSystem<Complex>& system
   return forces;
 }
 
-// In both functions the factor 2 of a symmetric hull, which the weights hold, is left to v.
+// The factor 2 of a symmetric hull, which the weights hold, is left to v.
 template <typename Scalar>
-Eigen::Matrix<Complex, 6, Eigen::Dynamic> adjointVectors(const SymmetricSystem<Scalar>& system,
-                                                         const ModeNormals& normals,
-                                                         double density) {
-  const Complex factor(0.0, density * (normals.symmetric ? 0.5 : 1.0));
-  Eigen::Matrix<Complex, 6, Eigen::Dynamic> b(6, normals.n.rows());
-  for (const Parity parity : normals.parities())
-    b(normals.modes(parity), Eigen::all) =
-        factor * system.adjoints(parity, normals.weights(parity).template cast<Scalar>())
-                     .transpose()
-                     .template cast<Complex>();
-  return b;
-}
-
-template <typename Scalar>
-Eigen::Matrix<Complex, 6, Eigen::Dynamic> adjointVectorsX(const SymmetricSystem<Scalar>& system,
-                                                          const ModeNormals& normals,
-                                                          const XDerivative& stokes,
-                                                          double density) {
+AdjointVectors adjointVectors(const SymmetricSystem<Scalar>& system, const ModeNormals& normals,
+                              double density, const XDerivative* stokes) {
   using Matrix = typename SymmetricSystem<Scalar>::Matrix;
-  Eigen::Matrix<Complex, 6, Eigen::Dynamic> b(6, normals.n.rows());
+  const double half = normals.symmetric ? 0.5 : 1.0;
+  AdjointVectors b;
+  b.omega.resize(6, normals.n.rows());
+  if (stokes != nullptr) b.speed.resize(6, normals.n.rows());
   for (const Parity parity : normals.parities()) {
-    const Matrix n = normals.of(parity).template cast<Scalar>();
-    const Matrix w = normals.area.asDiagonal() * n;
-    const Matrix x =
-        system.hasXDerivative()
-            ? system.xAdjoints(parity, w)
-            : Matrix(normals.n.col(Surge).asDiagonal() * w +
-                     system.adjoints(parity, stokes.stokes(parity).transpose().cast<Scalar>() * n));
-    b(normals.modes(parity), Eigen::all) = -density * x.transpose().template cast<Complex>();
+    const std::vector<int> modes = normals.modes(parity);
+    const auto count = static_cast<Eigen::Index>(modes.size());
+    const Eigen::MatrixXd n = normals.of(parity), w = normals.area.asDiagonal() * n;
+    Eigen::MatrixXd wX(n.rows(), 0);
+    if (stokes != nullptr)
+      wX = system.hasXDerivative() ? w : Eigen::MatrixXd(stokes->stokes(parity).transpose() * n);
+    const Matrix a = system.bothAdjoints(parity, normals.weights(parity).template cast<Scalar>(),
+                                         wX.template cast<Scalar>());
+    b.omega(modes, Eigen::all) = Complex(0.0, density * half) *
+                                 a.leftCols(count).transpose().template cast<Complex>();
+    if (stokes == nullptr) continue;
+    Matrix x = a.rightCols(count);
+    if (!system.hasXDerivative()) x += (normals.n.col(Surge).asDiagonal() * w).cast<Scalar>();
+    b.speed(modes, Eigen::all) = -density * x.transpose().template cast<Complex>();
   }
   return b;
 }
 
-template Eigen::Matrix<Complex, 6, Eigen::Dynamic> adjointVectors(const SymmetricSystem<double>&,
-                                                                  const ModeNormals&, double);
-template Eigen::Matrix<Complex, 6, Eigen::Dynamic> adjointVectors(const SymmetricSystem<Complex>&,
-                                                                  const ModeNormals&, double);
-template Eigen::Matrix<Complex, 6, Eigen::Dynamic> adjointVectorsX(const SymmetricSystem<double>&,
-                                                                   const ModeNormals&,
-                                                                   const XDerivative&, double);
-template Eigen::Matrix<Complex, 6, Eigen::Dynamic> adjointVectorsX(const SymmetricSystem<Complex>&,
-                                                                   const ModeNormals&,
-                                                                   const XDerivative&, double);
+CMat6 forcesOnUnitMotions(const ModeVectors& b, const ModeNormals& normals) {
+  const double sides = normals.symmetric ? 2.0 : 1.0;
+  CMat6 sum = CMat6::Zero();
+  for (const Parity parity : normals.parities()) {
+    const std::vector<int> modes = normals.modes(parity);
+    sum(modes, modes) = sides * b(modes, Eigen::all) * normals.of(parity);
+  }
+  return sum;
+}
+
+template AdjointVectors adjointVectors(const SymmetricSystem<double>&, const ModeNormals&, double,
+                                       const XDerivative*);
+template AdjointVectors adjointVectors(const SymmetricSystem<Complex>&, const ModeNormals&, double,
+                                       const XDerivative*);
 
 }  // namespace cutwater

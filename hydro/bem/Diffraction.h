@@ -19,18 +19,23 @@ std::vector<DiffractionParts> diffraction(const SymmetricSystem<Complex>& system
                                           const std::vector<IncidentVelocity>& waves,
                                           double density, const XDerivative* stokes = nullptr);
 
-/// b_j of F^ω (Coefficients::adjoint says how to use them): the same number as `diffraction`, for
-/// every wave, for six back-substitutions. 6 × panels.
-template <typename Scalar>
-Eigen::Matrix<Complex, 6, Eigen::Dynamic> adjointVectors(const SymmetricSystem<Scalar>& system,
-                                                         const ModeNormals& normals,
-                                                         double density);
+using ModeVectors = Eigen::Matrix<Complex, 6, Eigen::Dynamic>;  // 6 × panels
 
-/// b^x_j of F^U (Coefficients::adjointX), six more.
+/// b_j of F^ω and b^x_j of F^U (Coefficients::adjoint and adjointX say how to use them): the same
+/// numbers as `diffraction`, for every wave, for six back-substitutions, with b^x twelve.
+struct AdjointVectors {
+  ModeVectors omega;
+  ModeVectors speed;  ///< empty if not asked for
+};
+
+/// @param stokes  nullptr: no b^x.
 template <typename Scalar>
-Eigen::Matrix<Complex, 6, Eigen::Dynamic> adjointVectorsX(const SymmetricSystem<Scalar>& system,
-                                                          const ModeNormals& normals,
-                                                          const XDerivative& stokes,
-                                                          double density);
+AdjointVectors adjointVectors(const SymmetricSystem<Scalar>& system, const ModeNormals& normals,
+                              double density, const XDerivative* stokes = nullptr);
+
+/// Σ over both sides of b_jᵀ v for v = n_k, row j, column k, 0 between modes of different parity: of
+/// b_j it is −iZ (impulseMatrix), of b^x_j ∂Z (impulseMatrixX), the same numbers without another
+/// solution.
+CMat6 forcesOnUnitMotions(const ModeVectors& b, const ModeNormals& normals);
 
 }  // namespace cutwater

@@ -61,14 +61,14 @@ double InfluenceMatrices::lidShare(double K) const noexcept {
   return ratio >= 1.0 ? 0.0 : 1.0 - ratio * ratio;
 }
 
-std::array<InfluenceSystem<Complex>, 2> InfluenceMatrices::atWaveNumber(double K,
-                                                                        IdleLid idle) const {
+std::array<InfluenceSystem<Complex>, 2> InfluenceMatrices::atWaveNumber(
+    double K, IdleLid idle, std::array<InfluenceSystem<Complex>, 2> room) const {
   const double share = lidShare(K);
   const bool drop = share == 0.0 && idle == IdleLid::Drop;
   const int all = drop ? pairs_.hull() : pairs_.all();
-  Systems systems;
+  Systems systems = std::move(room);
   start(K, all, systems);
-  if (settings().sourcePoints == 0 && !getenv("OLDFAR"))
+  if (settings().sourcePoints == 0)
     farWave_.add(K, all, systems);
   else
     addFarWaves(K, all, systems);
@@ -85,7 +85,7 @@ void InfluenceMatrices::start(double K, int all, Systems& systems) const {
     const RankineParts& part = rankine_.parts(static_cast<Parity>(p));
     auto& [L, R, H, formulation] = systems[static_cast<std::size_t>(p)];
     formulation = settings().formulation;
-    const auto G = [&](const Eigen::MatrixXd& rigid, int rows, int columns) -> Eigen::MatrixXcd {
+    const auto G = [&](const Eigen::MatrixXd& rigid, int rows, int columns) {
       return kG * rigid.topLeftCorner(rows, columns).cast<Complex>();
     };
     L = G(part.rigidNormal, all, all);

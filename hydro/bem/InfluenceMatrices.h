@@ -51,8 +51,11 @@ class InfluenceMatrices {
 
   /// Systems at one frequency, indexed by Parity. O((n + m)²) wave terms.
   /// @param K ω²/g [1/m] > 0.
-  std::array<InfluenceSystem<Complex>, 2> atWaveNumber(double K,
-                                                       IdleLid idle = IdleLid::Drop) const;
+  /// @param room  matrices to be written over; those of an earlier frequency save the time in which
+  ///              the system finds memory.
+  std::array<InfluenceSystem<Complex>, 2> atWaveNumber(
+      double K, IdleLid idle = IdleLid::Drop,
+      std::array<InfluenceSystem<Complex>, 2> room = {}) const;
 
   /// Systems at ω → 0 or ∞: real, without lid (they have no irregular frequencies).
   InfluenceSystem<double> atLimit(FrequencyLimit limit, Parity parity) const;

@@ -3,30 +3,10 @@
 #include <memory>
 #include <vector>
 
+#include "hydro/bem/Factorization.h"
 #include "hydro/bem/InfluenceMatrices.h"
 
 namespace cutwater {
-
-/// LU factors of a square matrix by LAPACK (?getrf), real or complex.
-template <typename Scalar>
-class Factorization {
- public:
-  using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-  Factorization() = default;
-  /// @throws HydroError MatrixSingular naming the pivot.
-  explicit Factorization(Matrix matrix);
-  /// M⁻¹ b.
-  Matrix solve(Matrix b) const;
-  /// M⁻ᵀ b, plain transpose.
-  Matrix solveTransposed(Matrix b) const;
-  /// Estimate of ‖M‖·‖M⁻¹‖ in the max-row-sum norm, by ?gecon   [M03] (61), (62).
-  double condition() const;
-
- private:
-  Matrix lu_;
-  std::vector<int> pivots_;
-  double norm_ = 0.0;
-};
 
 /// The factored system of one frequency for both parities of a symmetric hull, or the one system of
 /// a hull solved whole, whichever the formulation. Vectors have one row per hull panel (port panels
@@ -50,12 +30,17 @@ class SymmetricSystem {
   Matrix potentials(Parity parity, const Matrix& v) const;
   /// b with bᵀ v = wᵀ φ for every v: Rᵀ L⁻ᵀ w, w zero on the lid, or L⁻ᵀ Rᵀ w.
   Matrix adjoints(Parity parity, const Matrix& w) const;
+  /// [adjoints(parity, w), xAdjoints(parity, wX)] for the price of one. Without H: the adjoints of
+  /// both.
+  Matrix bothAdjoints(Parity parity, const Matrix& w, const Matrix& wX) const;
   /// The system has H: ∂φ/∂x straight from sources.
   bool hasXDerivative() const noexcept { return derivative_[0].size() > 0; }
   /// ∂φ/∂x = H L⁻¹ v.  @pre hasXDerivative().
   Matrix xDerivatives(Parity parity, const Matrix& v) const;
   /// b with bᵀ v = wᵀ ∂φ/∂x: L⁻ᵀ Hᵀ w.  @pre hasXDerivative().
   Matrix xAdjoints(Parity parity, const Matrix& w) const;
+  /// Takes the matrices back, for their room. Nothing else may be called afterwards.
+  std::array<InfluenceSystem<Scalar>, 2> release() &&;
   /// Of L; of a mean of inverses that of its first part.
   double condition(Parity parity) const;
 
@@ -63,7 +48,7 @@ class SymmetricSystem {
   /// L⁻¹ as a weighted sum of inverses; nearly always one.
   struct Part {
     double weight;
-    std::shared_ptr<const Factorization<Scalar>> factors;
+    std::shared_ptr<Factorization<Scalar>> factors;
   };
 
   Matrix extended(Parity parity, const Matrix& onHull) const;
@@ -74,19 +59,6 @@ class SymmetricSystem {
   bool isSource_;
   std::array<Matrix, 2> right_, derivative_;
   std::array<std::vector<Part>, 2> left_;
-};
-
-/// Holds OpenBLAS to one thread while it lives: our own threads each solve a frequency, and results
-/// do not depend on how many there are. Not for use from several threads at once.
-class OneBlasThread {
- public:
-  OneBlasThread();
-  ~OneBlasThread();
-  OneBlasThread(const OneBlasThread&) = delete;
-  OneBlasThread& operator=(const OneBlasThread&) = delete;
-
- private:
-  int before_;
 };
 
 }  // namespace cutwater

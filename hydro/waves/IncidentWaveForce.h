@@ -8,10 +8,10 @@ namespace cutwater {
 /// amplitude, crest over G at t = 0; modes, axes and signs of Conventions.h:
 ///     F_I,j = iρω_I ∫ φ_I n_j dS = −ρg ∫ e^{kz − ik((x − x_G) cos β − (y − y_G) sin β)} n_j dS
 ///                                                                        [M03] (64)-(68), 5.8
-/// Gauss points follow the ratio of panel size to wave length: relative error of each panel's share
-/// below 1e-6 for any wave. A symmetric mesh counts its starboard image.
+/// Exact on flat panels (PanelWave.h), relative error of each panel's share below 1e-7. A symmetric
+/// mesh counts its starboard image.
 /// @param cog G in hull axes [m].  @param density ρ [kg/m³].
-/// @return [N/m] and [N·m/m].  Cost: some 20 panel exponentials each.
+/// @return [N/m] and [N·m/m].  Cost: four exponentials a panel and side.
 CVec6 froudeKrylovForce(const PanelMesh& mesh, const AiryWave& wave, const Vec3& cog,
                         double density);
 

@@ -120,8 +120,8 @@ TEST(FormulationIdentity, AdjointVectorsOfTheXDerivativeGiveTheDirectForce) {
       const ModeNormals normals(mesh, cog);
       const XDerivative stokes(wet, mesh);
       const auto system = systemAt(matrices, omega * omega / 9.80665);
-      const auto b = adjointVectorsX(system, normals, stokes, 1025.0);
-      const auto b0 = adjointVectors(system, normals, 1025.0);
+      const auto b = adjointVectors(system, normals, 1025.0, &stokes).speed;
+      const auto b0 = adjointVectors(system, normals, 1025.0).omega;
       for (const double heading : {0.7, 2.5}) {
         const AiryWave wave{omega, heading, 9.80665};
         const auto direct = diffraction(

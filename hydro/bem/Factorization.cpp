@@ -1,0 +1,141 @@
+#include "hydro/bem/Factorization.h"
+
+// LAPACKE's complex numbers are ours; it must be told before it is read.
+#define lapack_complex_float std::complex<float>
+#define lapack_complex_double std::complex<double>
+#include <cblas.h>
+#include <lapacke.h>
+
+#include <algorithm>
+#include <string>
+
+#include "hydro/Conventions.h"
+#include "hydro/Errors.h"
+
+namespace cutwater {
+namespace {
+
+using LowComplex = std::complex<float>;
+
+// The LAPACK and BLAS routines by scalar type, column-major.
+int getrf(int n, float* a, int* p) { return LAPACKE_sgetrf(LAPACK_COL_MAJOR, n, n, a, n, p); }
+int getrf(int n, LowComplex* a, int* p) { return LAPACKE_cgetrf(LAPACK_COL_MAJOR, n, n, a, n, p); }
+int getrf(int n, double* a, int* p) { return LAPACKE_dgetrf(LAPACK_COL_MAJOR, n, n, a, n, p); }
+int getrf(int n, Complex* a, int* p) { return LAPACKE_zgetrf(LAPACK_COL_MAJOR, n, n, a, n, p); }
+
+int getrs(char form, int n, int columns, const float* a, const int* p, float* b) {
+  return LAPACKE_sgetrs(LAPACK_COL_MAJOR, form, n, columns, a, n, p, b, n);
+}
+int getrs(char form, int n, int columns, const LowComplex* a, const int* p, LowComplex* b) {
+  return LAPACKE_cgetrs(LAPACK_COL_MAJOR, form, n, columns, a, n, p, b, n);
+}
+int getrs(char form, int n, int columns, const double* a, const int* p, double* b) {
+  return LAPACKE_dgetrs(LAPACK_COL_MAJOR, form, n, columns, a, n, p, b, n);
+}
+int getrs(char form, int n, int columns, const Complex* a, const int* p, Complex* b) {
+  return LAPACKE_zgetrs(LAPACK_COL_MAJOR, form, n, columns, a, n, p, b, n);
+}
+
+int gecon(int n, const float* a, float norm, float* reciprocal) {
+  return LAPACKE_sgecon(LAPACK_COL_MAJOR, 'I', n, a, n, norm, reciprocal);
+}
+int gecon(int n, const LowComplex* a, float norm, float* reciprocal) {
+  return LAPACKE_cgecon(LAPACK_COL_MAJOR, 'I', n, a, n, norm, reciprocal);
+}
+
+void gemm(CBLAS_TRANSPOSE form, int m, int n, int k, const double* a, int lda, const double* b,
+          double* c) {
+  cblas_dgemm(CblasColMajor, form, CblasNoTrans, m, n, k, 1.0, a, lda, b, k, 0.0, c, m);
+}
+void gemm(CBLAS_TRANSPOSE form, int m, int n, int k, const Complex* a, int lda, const Complex* b,
+          Complex* c) {
+  constexpr Complex one = 1.0, zero = 0.0;
+  cblas_zgemm(CblasColMajor, form, CblasNoTrans, m, n, k, &one, a, lda, b, k, &zero, c, m);
+}
+
+void check(int info, const char* routine) {
+  if (info == 0) return;
+  throw HydroError(Fault::MatrixSingular, std::string("Factorization: LAPACK's ") + routine +
+                                              " returned " + std::to_string(info) +
+                                              (info > 0 ? " (a zero pivot there)" : ""));
+}
+
+}  // namespace
+
+template <typename Scalar>
+Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> product(
+    const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& A, bool transposed,
+    const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& B) {
+  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> C(transposed ? A.cols() : A.rows(),
+                                                          B.cols());
+  if (C.size() > 0 && B.rows() > 0)
+    gemm(transposed ? CblasTrans : CblasNoTrans, static_cast<int>(C.rows()),
+         static_cast<int>(C.cols()), static_cast<int>(B.rows()), A.data(),
+         static_cast<int>(A.rows()), B.data(), C.data());
+  return C;
+}
+
+template <typename Scalar>
+Factorization<Scalar>::Factorization(Matrix matrix)
+    : matrix_(std::move(matrix)),
+      lu_(matrix_.template cast<Low>()),
+      pivots_(static_cast<std::size_t>(lu_.rows())),
+      norm_(matrix_.cwiseAbs().rowwise().sum().maxCoeff()) {
+  check(getrf(static_cast<int>(lu_.rows()), lu_.data(), pivots_.data()), "getrf");
+}
+
+// Columns are scaled to 1 for single precision, which has no numbers below 1e-38.
+template <typename Scalar>
+typename Factorization<Scalar>::Matrix Factorization<Scalar>::refined(char form,
+                                                                      const Matrix& b) const {
+  constexpr int kMostSteps = 10;
+  const auto n = static_cast<int>(lu_.rows()), columns = static_cast<int>(b.cols());
+  if (columns == 0) return b;
+  const auto greatest = [](const Matrix& m) -> Eigen::ArrayXd {
+    return m.cwiseAbs().colwise().maxCoeff().transpose().array();
+  };
+  const Eigen::ArrayXd size = greatest(b);
+  Matrix x = Matrix::Zero(b.rows(), b.cols()), rest = b;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Eigen::VectorXd scale = greatest(rest).max(1e-300).matrix();
+    LowMatrix change = (rest * scale.cwiseInverse().asDiagonal()).template cast<Low>();
+    check(getrs(form, n, columns, lu_.data(), pivots_.data(), change.data()), "getrs");
+    x += change.template cast<Scalar>() * scale.asDiagonal();
+    rest = b - product<Scalar>(matrix_, form == 'T', x);
+    const Eigen::ArrayXd left = greatest(rest);
+    if (!left.allFinite()) break;
+    if ((left <= kBackwardError * (norm_ * greatest(x) + size)).all()) return x;
+  }
+  return solvedInDouble(form, b);
+}
+
+template <typename Scalar>
+typename Factorization<Scalar>::Matrix Factorization<Scalar>::solvedInDouble(char form,
+                                                                             Matrix b) const {
+  const auto n = static_cast<int>(matrix_.rows());
+  Matrix lu = matrix_;
+  std::vector<int> pivots(pivots_.size());
+  check(getrf(n, lu.data(), pivots.data()), "getrf");
+  check(getrs(form, n, static_cast<int>(b.cols()), lu.data(), pivots.data(), b.data()), "getrs");
+  return b;
+}
+
+template <typename Scalar>
+double Factorization<Scalar>::condition() const {
+  float reciprocal = 0.0;
+  check(gecon(static_cast<int>(lu_.rows()), lu_.data(), static_cast<float>(norm_), &reciprocal),
+        "gecon");
+  return 1.0 / std::max(static_cast<double>(reciprocal), 1e-300);  // finite: it goes into the file
+}
+
+OneBlasThread::OneBlasThread() : before_(openblas_get_num_threads()) {
+  openblas_set_num_threads(1);
+}
+OneBlasThread::~OneBlasThread() { openblas_set_num_threads(before_); }
+
+template class Factorization<double>;
+template class Factorization<Complex>;
+template Eigen::MatrixXd product(const Eigen::MatrixXd&, bool, const Eigen::MatrixXd&);
+template Eigen::MatrixXcd product(const Eigen::MatrixXcd&, bool, const Eigen::MatrixXcd&);
+
+}  // namespace cutwater

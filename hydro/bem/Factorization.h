@@ -1,0 +1,64 @@
+#pragma once
+#include <Eigen/Core>
+#include <complex>
+#include <vector>
+
+namespace cutwater {
+
+/// LU factors of a square matrix by LAPACK, real or complex: factored in single precision, which takes
+/// half the time, the solutions refined in double precision until the residual says that they are
+/// those of a matrix changed by less than kBackwardError of its norm. Where that does not come about
+/// (condition numbers above some 1e6) the factors are taken again in double precision.
+/// Immutable; any thread may call.
+template <typename Scalar>
+class Factorization {
+ public:
+  using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+  /// ‖b − Mx‖ / (‖M‖·‖x‖ + ‖b‖), max norms, of every column.
+  static constexpr double kBackwardError = 1e-13;
+
+  /// @throws HydroError MatrixSingular naming the pivot.
+  explicit Factorization(Matrix matrix);
+  /// M⁻¹ b.
+  Matrix solve(const Matrix& b) const { return refined('N', b); }
+  /// M⁻ᵀ b, plain transpose.
+  Matrix solveTransposed(const Matrix& b) const { return refined('T', b); }
+  /// Estimate of ‖M‖·‖M⁻¹‖ in the max-row-sum norm, by ?gecon   [M03] (61), (62).
+  double condition() const;
+  const Matrix& matrix() const noexcept { return matrix_; }
+  /// Takes the matrix back, for its room. Nothing else may be called afterwards.
+  Matrix release() && { return std::move(matrix_); }
+
+ private:
+  using Low = std::conditional_t<std::is_same_v<Scalar, double>, float, std::complex<float>>;
+  using LowMatrix = Eigen::Matrix<Low, Eigen::Dynamic, Eigen::Dynamic>;
+
+  Matrix refined(char form, const Matrix& b) const;
+  Matrix solvedInDouble(char form, Matrix b) const;
+
+  Matrix matrix_;
+  LowMatrix lu_;
+  std::vector<int> pivots_;
+  double norm_ = 0.0;  // greatest row sum
+};
+
+/// op(A)·B by BLAS, op the plain transpose if `transposed`.
+template <typename Scalar>
+Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> product(
+    const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& A, bool transposed,
+    const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& B);
+
+/// Holds OpenBLAS to one thread while it lives: our own threads each solve a frequency, and results
+/// do not depend on how many there are. Not for use from several threads at once.
+class OneBlasThread {
+ public:
+  OneBlasThread();
+  ~OneBlasThread();
+  OneBlasThread(const OneBlasThread&) = delete;
+  OneBlasThread& operator=(const OneBlasThread&) = delete;
+
+ private:
+  int before_;
+};
+
+}  // namespace cutwater

@@ -1,0 +1,67 @@
+#include "hydro/waves/PanelWave.h"
+
+#include <cmath>
+
+#include "hydro/geometry/PanelQuadrature.h"
+
+namespace cutwater {
+namespace {
+
+Complex dot(const Eigen::Vector3cd& a, const Vec3& b) {
+  return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+}
+
+PanelWave byPoints(const Panel& panel, const Eigen::Vector3cd& kappa, const Vec3& origin) {
+  PanelWave wave{0.0, Eigen::Vector3cd::Zero()};
+  for (const QuadraturePoint& point : panelQuadrature(panel, 2)) {
+    const Complex e = point.weight * std::exp(dot(kappa, point.x - origin));
+    wave.sum += e;
+    wave.moment += e * (point.x - panel.centroid);
+  }
+  return wave;
+}
+
+/// ∫ e^{κ·x} dl along an edge and ∫ s e^{κ·x} dl, s from its middle along it; h = κ·(half the edge),
+/// `from`, `to` and `middle` the values at its ends and half way.
+struct EdgeWave {
+  Complex sum, moment;
+};
+EdgeWave edgeWave(double length, Complex h, Complex from, Complex to, auto middle) {
+  if (std::norm(h) > 1e-2) {
+    const Complex sum = 0.5 * length * (to - from) / h;
+    return {sum, 0.5 * length * (0.5 * length * (to + from) - sum) / h};
+  }
+  const Complex hh = h * h, at = length * middle();
+  return {at * (1.0 + hh / 6.0 * (1.0 + hh / 20.0 * (1.0 + hh / 42.0))),
+          0.5 * length * at * h / 3.0 * (1.0 + hh / 10.0 * (1.0 + hh / 28.0))};
+}
+
+}  // namespace
+
+PanelWave panelWave(const Panel& panel, const Eigen::Vector3cd& kappa, const Vec3& origin) {
+  const Eigen::Vector3cd inPlane = kappa - dot(kappa, panel.normal) * panel.normal.cast<Complex>();
+  const double square = inPlane.squaredNorm();
+  if (square * std::pow(diameter(panel), 2) < 0.05 * 0.05) return byPoints(panel, kappa, origin);
+
+  const Eigen::Vector3cd a = inPlane.conjugate() / square;
+  const auto n = static_cast<std::size_t>(panel.corners);
+  std::array<Complex, 4> at;
+  for (std::size_t i = 0; i < n; ++i) at[i] = std::exp(dot(kappa, panel.corner[i] - origin));
+  PanelWave wave{0.0, Eigen::Vector3cd::Zero()};
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 &from = panel.corner[i], &to = panel.corner[(i + 1) % n];
+    const double length = (to - from).norm();
+    if (length == 0.0) continue;
+    const Vec3 along = (to - from) / length, middle = 0.5 * (from + to);
+    const Complex weight = dot(a, along.cross(panel.normal));
+    const EdgeWave edge = edgeWave(length, 0.5 * length * dot(kappa, along), at[i], at[(i + 1) % n],
+                                   [&] { return std::exp(dot(kappa, middle - origin)); });
+    wave.sum += weight * edge.sum;
+    wave.moment +=
+        weight * (edge.sum * (middle - panel.centroid) + edge.moment * along);
+  }
+  wave.moment -= a * wave.sum;
+  return wave;
+}
+
+}  // namespace cutwater
