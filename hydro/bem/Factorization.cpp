@@ -7,6 +7,7 @@
 #include <lapacke.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "hydro/Conventions.h"
@@ -17,23 +18,23 @@ namespace {
 
 using LowComplex = std::complex<float>;
 
-// The LAPACK and BLAS routines by scalar type, column-major.
-int getrf(int n, float* a, int* p) { return LAPACKE_sgetrf(LAPACK_COL_MAJOR, n, n, a, n, p); }
-int getrf(int n, LowComplex* a, int* p) { return LAPACKE_cgetrf(LAPACK_COL_MAJOR, n, n, a, n, p); }
-int getrf(int n, double* a, int* p) { return LAPACKE_dgetrf(LAPACK_COL_MAJOR, n, n, a, n, p); }
-int getrf(int n, Complex* a, int* p) { return LAPACKE_zgetrf(LAPACK_COL_MAJOR, n, n, a, n, p); }
+// The LAPACK and BLAS routines by scalar type, column-major; _work: without a look for NaN each time.
+int getrf(int n, float* a, int* p) { return LAPACKE_sgetrf_work(LAPACK_COL_MAJOR, n, n, a, n, p); }
+int getrf(int n, LowComplex* a, int* p) { return LAPACKE_cgetrf_work(LAPACK_COL_MAJOR, n, n, a, n, p); }
+int getrf(int n, double* a, int* p) { return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, n, n, a, n, p); }
+int getrf(int n, Complex* a, int* p) { return LAPACKE_zgetrf_work(LAPACK_COL_MAJOR, n, n, a, n, p); }
 
 int getrs(char form, int n, int columns, const float* a, const int* p, float* b) {
-  return LAPACKE_sgetrs(LAPACK_COL_MAJOR, form, n, columns, a, n, p, b, n);
+  return LAPACKE_sgetrs_work(LAPACK_COL_MAJOR, form, n, columns, a, n, p, b, n);
 }
 int getrs(char form, int n, int columns, const LowComplex* a, const int* p, LowComplex* b) {
-  return LAPACKE_cgetrs(LAPACK_COL_MAJOR, form, n, columns, a, n, p, b, n);
+  return LAPACKE_cgetrs_work(LAPACK_COL_MAJOR, form, n, columns, a, n, p, b, n);
 }
 int getrs(char form, int n, int columns, const double* a, const int* p, double* b) {
-  return LAPACKE_dgetrs(LAPACK_COL_MAJOR, form, n, columns, a, n, p, b, n);
+  return LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, form, n, columns, a, n, p, b, n);
 }
 int getrs(char form, int n, int columns, const Complex* a, const int* p, Complex* b) {
-  return LAPACKE_zgetrs(LAPACK_COL_MAJOR, form, n, columns, a, n, p, b, n);
+  return LAPACKE_zgetrs_work(LAPACK_COL_MAJOR, form, n, columns, a, n, p, b, n);
 }
 
 int gecon(int n, const float* a, float norm, float* reciprocal) {
@@ -80,7 +81,9 @@ Factorization<Scalar>::Factorization(Matrix matrix)
     : matrix_(std::move(matrix)),
       lu_(matrix_.template cast<Low>()),
       pivots_(static_cast<std::size_t>(lu_.rows())),
-      norm_(matrix_.cwiseAbs().rowwise().sum().maxCoeff()) {
+      norm_(matrix_.cwiseAbs2().cwiseSqrt().rowwise().sum().maxCoeff()) {
+  if (!std::isfinite(norm_))
+    throw HydroError(Fault::MatrixSingular, "Factorization: an entry of the matrix is not finite");
   check(getrf(static_cast<int>(lu_.rows()), lu_.data(), pivots_.data()), "getrf");
 }
 
@@ -92,7 +95,7 @@ typename Factorization<Scalar>::Matrix Factorization<Scalar>::refined(char form,
   const auto n = static_cast<int>(lu_.rows()), columns = static_cast<int>(b.cols());
   if (columns == 0) return b;
   const auto greatest = [](const Matrix& m) -> Eigen::ArrayXd {
-    return m.cwiseAbs().colwise().maxCoeff().transpose().array();
+    return m.cwiseAbs2().colwise().maxCoeff().transpose().array().sqrt();
   };
   const Eigen::ArrayXd size = greatest(b);
   Matrix x = Matrix::Zero(b.rows(), b.cols()), rest = b;
@@ -103,6 +106,7 @@ typename Factorization<Scalar>::Matrix Factorization<Scalar>::refined(char form,
     x += change.template cast<Scalar>() * scale.asDiagonal();
     rest = b - product<Scalar>(matrix_, form == 'T', x);
     const Eigen::ArrayXd left = greatest(rest);
+    
     if (!left.allFinite()) break;
     if ((left <= kBackwardError * (norm_ * greatest(x) + size)).all()) return x;
   }

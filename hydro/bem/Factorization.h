@@ -15,7 +15,7 @@ class Factorization {
  public:
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
   /// ‖b − Mx‖ / (‖M‖·‖x‖ + ‖b‖), max norms, of every column.
-  static constexpr double kBackwardError = 1e-13;
+  static constexpr double kBackwardError = 1e-12;
 
   /// @throws HydroError MatrixSingular naming the pivot.
   explicit Factorization(Matrix matrix);

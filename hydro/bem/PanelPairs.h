@@ -33,9 +33,9 @@ struct Pair {
 class PanelPairs {
  public:
   static constexpr int kMostPoints = 4;  ///< per side of a panel
-  /// Images of x nearer than this many panel diameters take the split wave term: one Gauss point on
-  /// 1/R₁ there would be off by more than some 1/(24·2²) = 1 %.
-  static constexpr double kNearRatio = 2.0;
+  /// Images of x nearer than this many panel diameters take the split wave term: one point
+  /// and second moments there would be off by 1e-3 and more.
+  static constexpr double kNearRatio = 1.5;
 
   /// @throws HydroError BadArgument for points that are not 1, 4 or 9 (sourcePoints: or 0), or H
   /// asked of the potential formulation.
