@@ -70,7 +70,7 @@ std::vector<FarWave::Block> FarWave::blocks(int all) const {
   return result;
 }
 
-void FarWave::add(double K, int all, Systems& systems) const {
+void FarWave::fill(double K, int all, Systems& systems) const {
   const FormFactors form(pairs_, all, K);
   const auto tiles = std::make_unique<std::array<WaveTile, 2>>();
   const std::vector<Block> rows = blocks(all);
@@ -80,16 +80,20 @@ void FarWave::add(double K, int all, Systems& systems) const {
         WaveTile& tile = (*tiles)[static_cast<std::size_t>(m)];
         place(rows[i], rows[j], m == 1, K, tile);
         weigh(form, rows[i], rows[j], m == 1, tile);
+        addMoments(rows[i], rows[j], m == 1, tile);
         tile.evaluate(K);
       }
+      const bool images = (*tiles)[0].takeImages || (*tiles)[1].takeImages;
+      if (pairs_.parities() == 2) WaveTile::toParities((*tiles)[0], (*tiles)[1]);
       for (int p = 0; p < pairs_.parities(); ++p) {
-        InfluenceSystem<Complex>& system = systems[static_cast<std::size_t>(p)];
         const auto parity = static_cast<Parity>(p);
-        write({rows[i], rows[j], false}, K, *tiles, parity, system);
-        if (i != j) write({rows[j], rows[i], true}, K, *tiles, parity, system);
-        if (!(*tiles)[0].takeImages && !(*tiles)[1].takeImages) continue;
-        writeImages({rows[i], rows[j], false}, K, *tiles, parity, system);
-        if (i != j) writeImages({rows[j], rows[i], true}, K, *tiles, parity, system);
+        InfluenceSystem<Complex>& system = systems[static_cast<std::size_t>(p)];
+        for (const Target& target :
+             {Target{rows[i], rows[j], false}, Target{rows[j], rows[i], true}}) {
+          if (target.exchanged && i == j) continue;
+          write(target, K, (*tiles)[static_cast<std::size_t>(p)], parity, system);
+          if (images) writeImages(target, K, *tiles, parity, system);
+        }
       }
     }
 }
@@ -128,28 +132,37 @@ CUTWATER_VECTOR void FarWave::place(const Block& field, const Block& source, boo
   }
 }
 
-// Horizontally the field panel's points count backwards; of its mirror image y does once more.
 CUTWATER_VECTOR void FarWave::weigh(const FormFactors& form, const Block& field,
                                     const Block& source, bool mirrored, WaveTile& t) const {
-  const double side = mirrored ? -1.0 : 1.0;
+  const bool meant = pairs_.settings().galerkinPoints > 1;
+  for (int j = 0; j < source.size; ++j) {
+    const Complex* formJ = form.of(source.begin + j);
+    for (int i = 0; i < field.size; ++i) {
+      const auto k = static_cast<std::size_t>(kSide * j + i);
+      const double at = placeOf(t.ex[k], t.ey[k]);
+      const Complex a = between(formJ, at);
+      const Complex b =
+          meant ? between(form.of(field.begin + i), mirrored ? FormFactors::kSteps - at : at) : 1.0;
+      t.formRe[k] = a.real() * b.real() + a.imag() * b.imag();
+      t.formIm[k] = a.imag() * b.real() - a.real() * b.imag();
+    }
+  }
+}
+
+// Horizontally the field panel's points count backwards; of its mirror image y does once more.
+CUTWATER_VECTOR void FarWave::addMoments(const Block& field, const Block& source, bool mirrored,
+                                         WaveTile& t) const {
   const double meant = pairs_.settings().galerkinPoints > 1 ? 1.0 : 0.0;
+  const double side = mirrored ? -meant : meant;
   for (int j = 0; j < source.size; ++j) {
     const auto s = static_cast<std::size_t>(source.begin + j);
-    const Complex* formJ = form.of(source.begin + j);
     for (int i = 0; i < field.size; ++i) {
       const auto f = static_cast<std::size_t>(field.begin + i),
                  k = static_cast<std::size_t>(kSide * j + i);
-      const double ex = t.ex[k], ey = t.ey[k], at = placeOf(ex, ey);
-      const Complex a = between(formJ, at);
-      const Complex b =
-          meant > 0.0
-              ? between(form.of(field.begin + i), mirrored ? FormFactors::kSteps - at : at)
-              : Complex(1.0, 0.0);
-      t.formRe[k] = a.real() * b.real() + a.imag() * b.imag();
-      t.formIm[k] = a.imag() * b.real() - a.real() * b.imag();
-      const double xx = xx_[s] + meant * xx_[f], xy = xy_[s] + meant * side * xy_[f],
+      const double ex = t.ex[k], ey = t.ey[k];
+      const double xx = xx_[s] + meant * xx_[f], xy = xy_[s] + side * xy_[f],
                    yy = yy_[s] + meant * yy_[f], xz = xz_[s] - meant * xz_[f],
-                   yz = yz_[s] - meant * side * yz_[f];
+                   yz = yz_[s] - side * yz_[f];
       t.alongAlong[k] = ex * ex * xx + 2.0 * ex * ey * xy + ey * ey * yy;
       t.acrossAcross[k] = ey * ey * xx - 2.0 * ex * ey * xy + ex * ex * yy;
       t.alongAcross[k] = ex * ey * (yy - xx) + (ex * ex - ey * ey) * xy;
@@ -160,44 +173,61 @@ CUTWATER_VECTOR void FarWave::weigh(const FormFactors& form, const Block& field,
   }
 }
 
+namespace {
+
+/// kG × (rigid + ΔS·wave) of one tile into a matrix. `step` from row to row of the matrix in the tile:
+/// 1, or WaveTile::kSide if field and source are exchanged.
+template <std::size_t step>
+CUTWATER_INLINE void writeColumns(const WaveTile::Column& re, const WaveTile::Column& im,
+                                  const Eigen::MatrixXd& rigid, const double* area, double factor,
+                                  double wave, int row, int rows, int column, int columns,
+                                  Eigen::MatrixXcd& to) {
+  for (int c = 0; c < columns; ++c) {
+    const double weight = factor * wave * area[column + c];
+    const double* fixed = &rigid(row, column + c);
+    auto* entry = reinterpret_cast<double*>(&to(row, column + c));
+    const auto first = static_cast<std::size_t>(c) * (step == 1 ? WaveTile::kSide : 1);
+    const double *wRe = re.data() + first, *wIm = im.data() + first;
+    for (int r = 0; r < rows; ++r) {
+      entry[2 * r] = factor * fixed[r] + weight * wRe[step * static_cast<std::size_t>(r)];
+      entry[2 * r + 1] = weight * wIm[step * static_cast<std::size_t>(r)];
+    }
+  }
+}
+
+}  // namespace
+
 // The normal is the source's (potential) or the field's with its horizontal part reversed (source),
 // see PanelPairs. Seen the other way round ê is −ê, with y mirrored where the field panel was.
-CUTWATER_VECTOR void FarWave::write(const Target& target, double K,
-                                    const std::array<WaveTile, 2>& tiles, Parity parity,
-                                    InfluenceSystem<Complex>& system) const {
+CUTWATER_VECTOR void FarWave::write(const Target& target, double K, const WaveTile& tile,
+                                    Parity parity, InfluenceSystem<Complex>& system) const {
   const auto [field, source, exchanged] = target;
-  const bool isSource = pairs_.isSource();
-  const bool onLid = (isSource ? field : source).begin >= pairs_.hull();
-  const bool ofTileSource = isSource == exchanged, one = pairs_.parities() == 1;
-  const double mirror = one ? 0.0 : parity == Parity::Odd ? -1.0 : 1.0;
-  const WaveTile &a = tiles[0], &b = tiles[one ? 0 : 1];
-  const auto add = [&](const WaveTile::Column WaveTile::*re, const WaveTile::Column WaveTile::*im,
-                       double factor, Eigen::MatrixXcd& to) {
-    const WaveTile::Column &aRe = a.*re, &aIm = a.*im, &bRe = b.*re, &bIm = b.*im;
-    const std::size_t stepRow = exchanged ? WaveTile::kSide : 1,
-                      stepColumn = exchanged ? 1 : WaveTile::kSide;
-    for (int c = 0; c < source.size; ++c) {
-      const double weight = factor * area_[static_cast<std::size_t>(source.begin + c)];
-      auto* entry = reinterpret_cast<double*>(&to(field.begin, source.begin + c));
-      std::size_t k = stepColumn * static_cast<std::size_t>(c);
-      for (int r = 0; r < field.size; ++r, k += stepRow) {
-        entry[2 * r] += weight * (aRe[k] + mirror * bRe[k]);
-        entry[2 * r + 1] += weight * (aIm[k] + mirror * bIm[k]);
-      }
-    }
+  const RankineParts& part = rankine_.parts(parity);
+  const auto put = [&](const WaveTile::Column& re, const WaveTile::Column& im,
+                       const Eigen::MatrixXd& rigid, double factor, double wave,
+                       Eigen::MatrixXcd& to) {
+    if (exchanged)
+      writeColumns<WaveTile::kSide>(re, im, rigid, area_.data(), factor, wave, field.begin,
+                                    field.size, source.begin, source.size, to);
+    else
+      writeColumns<1>(re, im, rigid, area_.data(), factor, wave, field.begin, field.size,
+                      source.begin, source.size, to);
   };
-  if (onLid) return add(&WaveTile::valueRe, &WaveTile::valueIm, kG * K, system.L);
-  if (ofTileSource)
-    add(&WaveTile::sourceRe, &WaveTile::sourceIm, kG, system.L);
+  if ((pairs_.isSource() ? field : source).begin >= pairs_.hull()) {
+    put(tile.valueRe, tile.valueIm, part.rigid, kG * K, 1.0, system.L);
+    return;
+  }
+  if (pairs_.isSource() == exchanged)
+    put(tile.sourceRe, tile.sourceIm, part.rigidNormal, kG, 1.0, system.L);
   else
-    add(&WaveTile::fieldRe, &WaveTile::fieldIm, kG, system.L);
-  add(&WaveTile::valueRe, &WaveTile::valueIm, kG, system.R);
+    put(tile.fieldRe, tile.fieldIm, part.rigidNormal, kG, 1.0, system.L);
+  put(tile.valueRe, tile.valueIm, part.rigid, kG, 1.0, system.R);
   if (system.H.size() > 0)
-    add(&WaveTile::xRe, &WaveTile::xIm, exchanged ? kG : -kG, system.H);
+    put(tile.xRe, tile.xIm, part.rigidX, kG, exchanged ? 1.0 : -1.0, system.H);
 }
 
 // With a, b the shares of a panel and of its mirror image, E and O the integrals of the two parities:
-// even a(E + O)/2 + b(E − O)/2, odd a(E + O)/2 − b(E − O)/2.
+// even a(E + O)/2 + b(E − O)/2, odd a(E + O)/2 − b(E − O)/2. The tiles hold a + b and a − b.
 CUTWATER_VECTOR void FarWave::writeImages(const Target& target, double K,
                                           const std::array<WaveTile, 2>& tiles, Parity parity,
                                           InfluenceSystem<Complex>& system) const {
@@ -210,8 +240,8 @@ CUTWATER_VECTOR void FarWave::writeImages(const Target& target, double K,
   for (int c = 0; c < source.size; ++c)
     for (int r = 0; r < field.size; ++r) {
       const auto k = static_cast<std::size_t>(exchanged ? kSide * r + c : kSide * c + r);
-      const double a = tiles[0].share[k], b = one ? a : tiles[1].share[k];
-      const double same = -0.5 * kG * (a + b), cross = -0.5 * kG * (a - b);
+      const double same = one ? -kG * tiles[0].share[k] : -0.5 * kG * tiles[0].share[k],
+                   cross = one ? 0.0 : -0.5 * kG * tiles[1].share[k];
       const int row = field.begin + r, column = source.begin + c;
       const auto integral = [&](const Eigen::MatrixXd RankineParts::*image) {
         return same * (own.*image)(row, column) + cross * (other.*image)(row, column);

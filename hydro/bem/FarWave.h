@@ -36,8 +36,9 @@ class FarWave {
   /// Both must outlive this.
   FarWave(const PanelPairs& pairs, const RankineMatrices& rankine);
 
-  /// Adds them to the first `all` rows and columns.  @param K [1/m].
-  void add(double K, int all, Systems& systems) const;
+  /// Fills the first `all` rows and columns with these and with what needs no wave term, near pairs
+  /// included; the lid's rows at share 1 and without their own densities.  @param K [1/m].
+  void fill(double K, int all, Systems& systems) const;
 
  private:
   /// Consecutive panels, all of the hull or all of the lid.
@@ -54,7 +55,8 @@ class FarWave {
              WaveTile& tile) const;
   void weigh(const FormFactors& form, const Block& field, const Block& source, bool mirrored,
              WaveTile& tile) const;
-  void write(const Target& target, double K, const std::array<WaveTile, 2>& tiles, Parity parity,
+  void addMoments(const Block& field, const Block& source, bool mirrored, WaveTile& tile) const;
+  void write(const Target& target, double K, const WaveTile& tile, Parity parity,
              InfluenceSystem<Complex>& system) const;
   void writeImages(const Target& target, double K, const std::array<WaveTile, 2>& tiles,
                    Parity parity, InfluenceSystem<Complex>& system) const;

@@ -67,36 +67,54 @@ std::array<InfluenceSystem<Complex>, 2> InfluenceMatrices::atWaveNumber(
   const bool drop = share == 0.0 && idle == IdleLid::Drop;
   const int all = drop ? pairs_.hull() : pairs_.all();
   Systems systems = std::move(room);
-  start(K, all, systems);
-  if (settings().sourcePoints == 0)
-    farWave_.add(K, all, systems);
-  else
+  makeRoom(all, systems);
+  if (settings().sourcePoints == 0) {
+    farWave_.fill(K, all, systems);
+  } else {
+    fillRigid(K, all, systems);
     addFarWaves(K, all, systems);
+  }
   addNearWaves(K, all, systems);
+  addJumps(systems);
   if (!drop) scaleLid(share, systems);
   return systems;
 }
 
-/// Room for the systems, with what needs no wave term, the lid's rows at share 1 and without their own
-/// densities.
-void InfluenceMatrices::start(double K, int all, Systems& systems) const {
+void InfluenceMatrices::makeRoom(int all, Systems& systems) const {
+  const int hull = pairs_.hull();
+  for (int p = 0; p < parities(); ++p) {
+    auto& [L, R, H, formulation] = systems[static_cast<std::size_t>(p)];
+    formulation = settings().formulation;
+    L.resize(all, all);
+    R.resize(pairs_.isSource() ? hull : all, pairs_.isSource() ? all : hull);
+    if (settings().xDerivative) H.resize(hull, all);
+  }
+}
+
+/// What needs no wave term, the lid's rows at share 1 and without their own densities.
+void InfluenceMatrices::fillRigid(double K, int all, Systems& systems) const {
   const int hull = pairs_.hull(), lid = all - hull;
   for (int p = 0; p < parities(); ++p) {
     const RankineParts& part = rankine_.parts(static_cast<Parity>(p));
     auto& [L, R, H, formulation] = systems[static_cast<std::size_t>(p)];
-    formulation = settings().formulation;
-    const auto G = [&](const Eigen::MatrixXd& rigid, int rows, int columns) {
+    const auto G = [](const Eigen::MatrixXd& rigid, int rows, int columns) {
       return kG * rigid.topLeftCorner(rows, columns).cast<Complex>();
     };
     L = G(part.rigidNormal, all, all);
-    if (pairs_.isSource()) {
-      R = G(part.rigid, hull, all);
+    if (pairs_.isSource())
       L.bottomRows(lid) = K * kG * part.rigid.block(hull, 0, lid, all).cast<Complex>();
-      if (settings().xDerivative) H = G(part.rigidX, hull, all);
-    } else {
-      R = G(part.rigid, all, hull);
+    else
       L.rightCols(lid) = K * kG * part.rigid.block(0, hull, all, lid).cast<Complex>();
-    }
+    R = G(part.rigid, static_cast<int>(R.rows()), static_cast<int>(R.cols()));
+    if (H.size() > 0) H = G(part.rigidX, hull, all);
+  }
+}
+
+/// Jumps of the layers: ½ on the hull's diagonal, and of ∂φ/∂x in H.
+void InfluenceMatrices::addJumps(Systems& systems) const {
+  const int hull = pairs_.hull();
+  for (int p = 0; p < parities(); ++p) {
+    auto& [L, R, H, formulation] = systems[static_cast<std::size_t>(p)];
     L.diagonal().head(hull).array() += 0.5;
     for (int i = 0; i < hull && H.size() > 0; ++i) H(i, i) += 0.5 * pairs_.panel(i).normal.x();
   }

@@ -68,7 +68,9 @@ class InfluenceMatrices {
 
  private:
   using Systems = std::array<InfluenceSystem<Complex>, 2>;
-  void start(double K, int all, Systems& systems) const;
+  void makeRoom(int all, Systems& systems) const;
+  void fillRigid(double K, int all, Systems& systems) const;
+  void addJumps(Systems& systems) const;
   void addFarWaves(double K, int all, Systems& systems) const;
   void addFarPair(const Pair& pair, double K, Systems& systems) const;
   void addFarWave(const Pair& pair, double K, Systems& systems) const;

@@ -173,4 +173,15 @@ CUTWATER_VECTOR void WaveTile::combine(double K) {
   }
 }
 
+CUTWATER_VECTOR void WaveTile::toParities(WaveTile& a, WaveTile& b) {
+  for (Column WaveTile::*column :
+       {&WaveTile::valueRe, &WaveTile::valueIm, &WaveTile::sourceRe, &WaveTile::sourceIm,
+        &WaveTile::fieldRe, &WaveTile::fieldIm, &WaveTile::xRe, &WaveTile::xIm, &WaveTile::share})
+    for (std::size_t k = 0; k < kPairs; k += 4) {
+      const Four one = load(a.*column, k), other = load(b.*column, k);
+      store(a.*column, k, one + other);
+      store(b.*column, k, one - other);
+    }
+}
+
 }  // namespace cutwater

@@ -32,6 +32,9 @@ struct WaveTile {
   /// @param K ω²/g [1/m].
   void evaluate(double K);
 
+  /// From a hull and her mirror image to even and odd: (a, b) → (a + b, a − b) of every result.
+  static void toParities(WaveTile& a, WaveTile& b);
+
  private:
   void combine(double K);
   Column F, FX, J0, J1, Y0, Y1;
