@@ -5,10 +5,7 @@
 namespace cutwater {
 namespace {
 
-/// Potential, normal derivative and x-derivative of 1/R or 1/R₁, averaged over the field panel.
-struct Sample {
-  double potential = 0.0, normal = 0.0, x = 0.0;
-};
+using Sample = RankineMatrices::Sample;
 
 RankinePanel rankineOf(const Panel& panel) {
   return RankinePanel(std::span(panel.corner.data(), static_cast<std::size_t>(panel.corners)));
@@ -47,25 +44,66 @@ RankineMatrices::RankineMatrices(const PanelPairs& pairs)
   });
 }
 
+namespace {
+
+/// As `add`, of four points at once by the far form.
+void addFar(const RankinePanel& rankine, const std::vector<QuadraturePoint>& points, bool mirrored,
+            bool image, const Vec3& n, bool source, double area, Sample& sum) {
+  for (std::size_t from = 0; from < points.size(); from += 4) {
+    RankinePanel::FourPoints four;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec3& x = points[from + i].x;
+      four.x[0][i] = x.x();
+      four.x[1][i] = mirrored ? -x.y() : x.y();
+      four.x[2][i] = image ? -x.z() : x.z();
+    }
+    const RankinePanel::FourIntegrals at = rankine.farAt(four);
+    for (std::size_t i = 0; i < 4; ++i)
+      add({at.potential[i],
+           {at.gradient[0][i], at.gradient[1][i], at.gradient[2][i]},
+           at.doubleLayer[i]},
+          n, source, points[from + i].weight / area, sum);
+  }
+}
+
+}  // namespace
+
+/// 1/R of one source panel (or its image in z = 0) and a field panel, mean over the latter.
+RankineMatrices::Sample RankineMatrices::sample(const RankinePanel& rankine, const Pair& pair,
+                                                bool image) const {
+  const Panel& panel = pairs_.panel(pair.field);
+  const auto seen = [&](const Vec3& x) {
+    const Vec3 y = imageInY(x, pair.mirrored);
+    return image ? imageInZ(y) : y;
+  };
+  const Vec3 n = seen(panel.normal);
+  const auto& points = pairs_.galerkin(pair.field);
+  Sample sum;
+  const double reach = RankinePanel::kFarRatio * rankine.radius() + pairs_.size(pair.field);
+  if (points.size() % 4 == 0 &&
+      (seen(panel.centroid) - rankine.centroid()).squaredNorm() > reach * reach) {
+    addFar(rankine, points, pair.mirrored, image, n, pairs_.isSource(), panel.area, sum);
+    return sum;
+  }
+  for (const QuadraturePoint& point : points) {
+    RankineIntegrals at = rankine.at(seen(point.x));
+    if (pair.field == pair.source && !pair.mirrored && !image) {
+      at.gradient -= n.dot(at.gradient) * n;
+      at.doubleLayer = 0.0;
+    }
+    add(at, n, pairs_.isSource(), point.weight / panel.area, sum);
+  }
+  return sum;
+}
+
 void RankineMatrices::integrate(int source) {
   const RankinePanel rankine = rankineOf(pairs_.panel(source));
-  const bool isSource = pairs_.isSource();
   for (int field = 0; field < pairs_.all(); ++field) {
-    const Panel& panel = pairs_.panel(field);
     std::array<Sample, 2> direct{}, image{};  // of the port and the starboard field panel
-    for (std::size_t m = 0; m < static_cast<std::size_t>(pairs_.parities()); ++m) {
-      const Vec3 n = imageInY(panel.normal, m == 1);
-      for (const QuadraturePoint& point : pairs_.galerkin(field)) {
-        const Vec3 x = imageInY(point.x, m == 1);
-        const double weight = point.weight / panel.area;
-        RankineIntegrals at = rankine.at(x);
-        if (field == source && m == 0) {
-          at.gradient -= n.dot(at.gradient) * n;
-          at.doubleLayer = 0.0;
-        }
-        add(at, n, isSource, weight, direct[m]);
-        add(rankine.at(imageInZ(x)), imageInZ(n), isSource, weight, image[m]);
-      }
+    for (int m = 0; m < pairs_.parities(); ++m) {
+      const Pair pair{field, source, m == 1};
+      direct[static_cast<std::size_t>(m)] = sample(rankine, pair, false);
+      image[static_cast<std::size_t>(m)] = sample(rankine, pair, true);
     }
     for (int p = 0; p < pairs_.parities(); ++p) {
       RankineParts& part = parts_[static_cast<std::size_t>(p)];

@@ -39,7 +39,13 @@ class RankineMatrices {
   };
   Image imageOf(const Pair& pair) const;
 
+  /// Potential, normal derivative and x-derivative of 1/R or 1/R₁, averaged over the field panel.
+  struct Sample {
+    double potential = 0.0, normal = 0.0, x = 0.0;
+  };
+
  private:
+  Sample sample(const RankinePanel& rankine, const Pair& pair, bool image) const;
   void integrate(int source);
   void findNear(int source);
 

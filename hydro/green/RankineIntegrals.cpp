@@ -7,6 +7,7 @@
 #include <string>
 
 #include "hydro/Errors.h"
+#include "hydro/Vector.h"
 
 namespace cutwater {
 namespace {
@@ -206,35 +207,76 @@ RankineIntegrals RankinePanel::exactAt(const Vec3& x) const noexcept {
           solidAngle};
 }
 
+template <typename Number>
+struct RankinePanel::FarSample {
+  Number potential, gradientX, gradientY, gradientZ, doubleLayer;
+};
+
+namespace {
+
+CUTWATER_INLINE double inverseRoot(double square) { return 1.0 / std::sqrt(square); }
+CUTWATER_INLINE Four inverseRoot(Four square) {
+  return 1.0 / Four{std::sqrt(square[0]), std::sqrt(square[1]), std::sqrt(square[2]),
+                    std::sqrt(square[3])};
+}
+
+}  // namespace
+
 // potential = A/r + c3/r³ + a5(u,v)/r⁵ + a7(u,v)/r⁷ + a9(u,v)/r⁹, a_k polynomials in the plane.
-RankineIntegrals RankinePanel::farAt(const Vec3& x) const noexcept {
-  const Vec3 d = x - centroid_;
-  const double u = u_.dot(d), v = v_.dot(d), z = normal_.dot(d);
-  const double i2 = 1.0 / d.squaredNorm();
-  const double i1 = std::sqrt(i2), i3 = i1 * i2, i5 = i3 * i2, i7 = i5 * i2, i9 = i7 * i2;
+template <typename Number>
+CUTWATER_INLINE RankinePanel::FarSample<Number> RankinePanel::farSample(Number x, Number y,
+                                                                        Number z) const noexcept {
+  const Number u = u_.x() * x + u_.y() * y + u_.z() * z, v = v_.x() * x + v_.y() * y + v_.z() * z,
+               height = normal_.x() * x + normal_.y() * y + normal_.z() * z;
+  const Number i1 = inverseRoot(x * x + y * y + z * z), i2 = i1 * i1, i3 = i1 * i2, i5 = i3 * i2,
+               i7 = i5 * i2, i9 = i7 * i2;
 
   const auto& [p5, q5, s5] = quadratic5_;
   const auto& [p7, q7, s7] = quadratic7_;
   const auto& [k30, k21, k12, k03] = cubic7_;
   const auto& [k40, k31, k22, k13, k04] = quartic9_;
-  const double a5 = c5_ + linear5_[0] * u + linear5_[1] * v + (p5 * u + q5 * v) * u + s5 * v * v;
-  const double a5u = linear5_[0] + 2.0 * p5 * u + q5 * v;
-  const double a5v = linear5_[1] + q5 * u + 2.0 * s5 * v;
-  const double uu = u * u, uv = u * v, vv = v * v;
-  const double a7 =
+  const Number a5 = c5_ + linear5_[0] * u + linear5_[1] * v + (p5 * u + q5 * v) * u + s5 * v * v;
+  const Number a5u = linear5_[0] + 2.0 * p5 * u + q5 * v;
+  const Number a5v = linear5_[1] + q5 * u + 2.0 * s5 * v;
+  const Number uu = u * u, uv = u * v, vv = v * v;
+  const Number a7 =
       p7 * uu + q7 * uv + s7 * vv + (k30 * u + k21 * v) * uu + (k12 * u + k03 * v) * vv;
-  const double a7u = 2.0 * p7 * u + q7 * v + 3.0 * k30 * uu + 2.0 * k21 * uv + k12 * vv;
-  const double a7v = q7 * u + 2.0 * s7 * v + k21 * uu + 2.0 * k12 * uv + 3.0 * k03 * vv;
-  const double a9 = (k40 * uu + k31 * uv + k22 * vv) * uu + (k13 * uv + k04 * vv) * vv;
-  const double a9u = (4.0 * k40 * u + 3.0 * k31 * v) * uu + (2.0 * k22 * u + k13 * v) * vv;
-  const double a9v = (k31 * u + 2.0 * k22 * v) * uu + (3.0 * k13 * u + 4.0 * k04 * v) * vv;
+  const Number a7u = 2.0 * p7 * u + q7 * v + 3.0 * k30 * uu + 2.0 * k21 * uv + k12 * vv;
+  const Number a7v = q7 * u + 2.0 * s7 * v + k21 * uu + 2.0 * k12 * uv + 3.0 * k03 * vv;
+  const Number a9 = (k40 * uu + k31 * uv + k22 * vv) * uu + (k13 * uv + k04 * vv) * vv;
+  const Number a9u = (4.0 * k40 * u + 3.0 * k31 * v) * uu + (2.0 * k22 * u + k13 * v) * vv;
+  const Number a9v = (k31 * u + 2.0 * k22 * v) * uu + (3.0 * k13 * u + 4.0 * k04 * v) * vv;
 
-  const double potential = area_ * i1 + c3_ * i3 + a5 * i5 + a7 * i7 + a9 * i9;
-  const double radial =
+  const Number radial =
       -(area_ * i1 + 3.0 * c3_ * i3 + 5.0 * a5 * i5 + 7.0 * a7 * i7 + 9.0 * a9 * i9) * i2;
-  const double gradientU = a5u * i5 + a7u * i7 + a9u * i9;
-  const double gradientV = a5v * i5 + a7v * i7 + a9v * i9;
-  return {potential, radial * d + gradientU * u_ + gradientV * v_, -radial * z};
+  const Number byU = a5u * i5 + a7u * i7 + a9u * i9, byV = a5v * i5 + a7v * i7 + a9v * i9;
+  return {area_ * i1 + c3_ * i3 + a5 * i5 + a7 * i7 + a9 * i9,
+          radial * x + byU * u_.x() + byV * v_.x(), radial * y + byU * u_.y() + byV * v_.y(),
+          radial * z + byU * u_.z() + byV * v_.z(), -radial * height};
+}
+
+RankineIntegrals RankinePanel::farAt(const Vec3& x) const noexcept {
+  const Vec3 d = x - centroid_;
+  const FarSample<double> at = farSample(d.x(), d.y(), d.z());
+  return {at.potential, {at.gradientX, at.gradientY, at.gradientZ}, at.doubleLayer};
+}
+
+CUTWATER_VECTOR RankinePanel::FourIntegrals RankinePanel::farAt(
+    const FourPoints& points) const noexcept {
+  const auto place = [&](int axis) {
+    const double* x = points.x[axis];
+    return Four{x[0], x[1], x[2], x[3]} - centroid_[axis];
+  };
+  const FarSample<Four> at = farSample(place(0), place(1), place(2));
+  FourIntegrals result;
+  for (int i = 0; i < 4; ++i) {
+    result.potential[i] = at.potential[i];
+    result.gradient[0][i] = at.gradientX[i];
+    result.gradient[1][i] = at.gradientY[i];
+    result.gradient[2][i] = at.gradientZ[i];
+    result.doubleLayer[i] = at.doubleLayer[i];
+  }
+  return result;
 }
 
 // ln ρ is the divergence of (½ ln ρ − ¼) times the vector from x, so each edge gives

@@ -27,14 +27,14 @@ struct RankineIntegrals {
 /// an edge or corner, where the gradient is infinite, its part along m_i is cut off (L_i < 60).
 ///
 /// Far form, beyond kFarRatio radii: moments about the centroid up to the fourth. Its error is
-/// below 2e-8 of the potential and 1e-7 of |gradient|; it costs a third of the exact form, which
-/// takes about 0.1 µs.
+/// below 2e-7 of the potential and 1e-6 of |gradient|; it costs a third of the exact form, which
+/// takes about 0.1 µs, and a tenth for four points at a time.
 ///
 /// Immutable: any thread may read it. No allocation after construction.
 class RankinePanel {
  public:
   /// Distance from the centroid, in radii, from which at() uses the far form.
-  static constexpr double kFarRatio = 20.0;
+  static constexpr double kFarRatio = 12.0;
 
   /// @param corner  3 or 4 points [m], counter-clockwise about n. Repeated points and an inward
   ///         corner are allowed; points off the mean plane are projected onto it along n.
@@ -48,6 +48,15 @@ class RankinePanel {
   RankineIntegrals exactAt(const Vec3& x) const noexcept;
   /// The far form, whatever the distance. @pre x is not the centroid.
   RankineIntegrals farAt(const Vec3& x) const noexcept;
+
+  /// The far form at four points, x[coordinate][point].
+  struct FourPoints {
+    double x[3][4];
+  };
+  struct FourIntegrals {
+    double potential[4], gradient[3][4], doubleLayer[4];
+  };
+  FourIntegrals farAt(const FourPoints& points) const noexcept;
 
   /// ∫ ln ρ dS [m²], ρ [m] the distance on the panel from the foot of x: the logarithm that the
   /// wave term has where both points are on the free surface (see WaveTerm.h). Exact, anywhere.
@@ -71,7 +80,12 @@ class RankinePanel {
   std::array<double, 4> cornerU_{}, cornerV_{};
   std::array<double, 4> tangentU_{}, tangentV_{}, length_{};
   std::array<double, 2> fanArea_{};  // twice the signed area of triangles 0-1-2 and 0-2-3
-  // Coefficients of the far form; see farAt.
+  template <typename Number>
+  struct FarSample;
+  template <typename Number>
+  FarSample<Number> farSample(Number x, Number y, Number z) const noexcept;
+
+  // Coefficients of the far form; see farSample.
   double c3_ = 0.0, c5_ = 0.0;
   std::array<double, 2> linear5_{};
   std::array<double, 3> quadratic5_{}, quadratic7_{};

