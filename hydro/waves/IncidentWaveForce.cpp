@@ -27,10 +27,12 @@ Eigen::Vector3cd exponent(const AiryWave& wave) {
 /// ∫ e^{κ·x} n_j dS over one panel, n_4..6 = (r − r_G) × n.
 CVec6 overPanel(const Panel& panel, const Eigen::Vector3cd& kappa, const Vec3& cog) {
   const PanelWave integral = panelWave(panel, kappa, Vec3(cog.x(), cog.y(), 0.0));
-  const Eigen::Vector3cd n = panel.normal.cast<Complex>();
+  const Vec3& n = panel.normal;
   const Eigen::Vector3cd arm = integral.moment + integral.sum * (panel.centroid - cog);
   CVec6 sum;
-  sum << integral.sum * n, arm.cross(n);
+  sum.head<3>() = integral.sum * n;
+  sum.tail<3>().real() = arm.real().cross(n);  // Eigen's cross of complex vectors is conjugated
+  sum.tail<3>().imag() = arm.imag().cross(n);
   return sum;
 }
 

@@ -7,8 +7,10 @@
 namespace cutwater::test {
 namespace {
 
-// Sums of a few hundred terms through a well-conditioned system.
+// Sums of a few hundred terms through one system.
 constexpr double kRoundOff = 1e-10;
+// Of two systems: solutions are refined to residuals of 1e-12, condition numbers are 1e2 to 1e3.
+constexpr double kResidual = 1e-8;
 
 /// Also at one angle oblique to the hull, all that a frequency gives.
 struct Answer {
@@ -34,9 +36,9 @@ TEST(SystemIdentity, HalfHullAndWholeHullGiveTheSame) {
   const Vec3 cog(0.5, 0.0, -0.4);
   const Answer half = answer(port, true, cog), whole = answer(wholeHull(port), false, cog);
   const double scale = half.Z.norm();
-  EXPECT_LT((half.Z - whole.Z).norm(), kRoundOff * scale);
-  EXPECT_LT((half.diffraction - whole.diffraction).norm(), kRoundOff * half.diffraction.norm());
-  EXPECT_LT((half.froudeKrylov - whole.froudeKrylov).norm(), kRoundOff * half.froudeKrylov.norm());
+  EXPECT_LT((half.Z - whole.Z).norm(), kResidual * scale);
+  EXPECT_LT((half.diffraction - whole.diffraction).norm(), kResidual * half.diffraction.norm());
+  EXPECT_LT((half.froudeKrylov - whole.froudeKrylov).norm(), kResidual * half.froudeKrylov.norm());
 }
 
 TEST(SystemIdentity, HalfHullAndWholeHullGiveTheSameWithTheSameLid) {
@@ -53,7 +55,7 @@ TEST(SystemIdentity, HalfHullAndWholeHullGiveTheSameWithTheSameLid) {
   const InfluenceMatrices halves(half), all(whole);
   const ModeNormals halfNormals(half, Vec3::Zero()), allNormals(whole, Vec3::Zero());
   const CMat6 Z = impulse(halves, halfNormals, 0.4);
-  EXPECT_LT((Z - impulse(all, allNormals, 0.4)).norm(), kRoundOff * Z.norm());
+  EXPECT_LT((Z - impulse(all, allNormals, 0.4)).norm(), kResidual * Z.norm());
 }
 
 TEST(SystemIdentity, AdjointVectorsGiveTheDirectDiffractionForce) {
@@ -107,14 +109,15 @@ TEST(SystemIdentity, MomentsAreTakenAboutTheCentreOfGravity) {
   EXPECT_LT((about(d) - expected).norm(), kRoundOff * expected.norm());
 }
 
-// The estimate of LAPACK is a lower bound that is rarely off by more than a factor of 3.
+// The estimate of LAPACK is a lower bound that is rarely off by more than a factor of 3; the factors
+// are in single precision.
 TEST(SystemClosedForm, ConditionNumberOfAKnownMatrix) {
   Eigen::MatrixXcd m = Eigen::MatrixXcd::Zero(4, 4);
   m.diagonal() << 1.0, 10.0, 100.0, 1000.0;
   m(0, 3) = Complex(0.0, 500.0);
   const double exact = 1000.0 * (m.inverse().cwiseAbs().rowwise().sum().maxCoeff());
   const double estimate = Factorization<Complex>(m).condition();
-  EXPECT_LE(estimate, exact * (1.0 + kRoundOff));
+  EXPECT_LE(estimate, exact * (1.0 + 1e-6));
   EXPECT_GE(estimate, exact / 3.0);
 }
 
