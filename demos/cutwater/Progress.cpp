@@ -13,13 +13,18 @@ Progress::~Progress() {
 
 void Progress::at(int done, int total) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (before_ < 0) {
+    before_ = done;
+    start_ = last_ = Clock::now();
+  }
   const bool terminal = isatty(STDERR_FILENO) != 0;
   const auto now = Clock::now();
   const std::chrono::duration<double> sinceLast = now - last_, elapsed = now - start_;
   if (done < total && sinceLast.count() < (terminal ? 0.2 : 10.0)) return;
   last_ = now;
   shown_ = true;
-  const double left = done > 0 ? elapsed.count() * (total - done) / done : 0.0;
+  const int since = done - before_;
+  const double left = since > 0 ? elapsed.count() * (total - done) / since : 0.0;
   fmt::print(stderr, "{}{}: {}/{}, {:.0f} s, {:.0f} s left{}", terminal ? "\r\x1b[K" : "", what_,
              done, total, elapsed.count(), left, terminal ? "" : "\n");
   std::fflush(stderr);

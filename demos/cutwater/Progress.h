@@ -11,6 +11,7 @@ class Progress {
  public:
   explicit Progress(std::string what) : what_(std::move(what)) {}
   ~Progress();
+  /// @param done  of `total`; the first call says what was done before.
   void at(int done, int total);
 
  private:
@@ -18,6 +19,7 @@ class Progress {
   std::string what_;
   std::mutex mutex_;
   Clock::time_point start_ = Clock::now(), last_ = start_;
+  int before_ = -1;
   bool shown_ = false;
 };
 

@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
+#include <filesystem>
 
 #include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Csv.h"
 #include "demos/cutwater/Progress.h"
 #include "demos/cutwater/ShipFile.h"
+#include "hydro/Errors.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/database/IrregularFrequencies.h"
 #include "hydro/memory/ConsistentLimit.h"
@@ -31,6 +34,43 @@ void warnOfMask(const std::string& path, const ShipFile& ship) {
   }
 }
 
+// What has been solved is kept beside the database until that is written, for a sweep that is
+// interrupted: by Ctrl-C after the frequencies at work, by anything else at once.
+class Interruption {
+ public:
+  Interruption() : before_(std::signal(SIGINT, [](int) { asked = 1; })) { asked = 0; }
+  ~Interruption() { std::signal(SIGINT, before_); }
+  void check(const std::string& journal, int done, int total) const {
+    if (asked == 0 || done == total) return;
+    std::signal(SIGINT, before_);  // a second Ctrl-C stops the program
+    throw HydroError(Fault::BadArgument,
+                     fmt::format("interrupted; {} of {} frequencies are kept in {}, the same "
+                                 "command goes on from there",
+                                 done, total, journal));
+  }
+
+ private:
+  static volatile std::sig_atomic_t asked;
+  void (*before_)(int);
+};
+volatile std::sig_atomic_t Interruption::asked = 0;
+
+Coefficients solved(const ShipFile& ship, const std::string& journal) {
+  Progress progress("solve");
+  const Interruption interruption;
+  bool first = true;
+  return buildCoefficients(
+      ship.particulars, ship.solve,
+      [&](int done, int total) {
+        if (first && done > 0)
+          fmt::print(stderr, "solve: {} of {} frequencies taken from {}\n", done, total, journal);
+        first = false;
+        progress.at(done, total);
+        interruption.check(journal, done, total);
+      },
+      journal);
+}
+
 }  // namespace
 
 // A sweep can take minutes: better to know first that its result can be kept.
@@ -42,14 +82,9 @@ void solve(const std::string& path, const std::string& database, int threads) {
   fmt::print(stderr, "solve: {} panels{}, {} frequencies, {} headings\n",
              ship.particulars.wetSurface.faces.size(), ship.particulars.symmetric ? " a side" : "",
              ship.solve.omega.size(), ship.solve.headings.size());
-  Progress progress("solve");
+  const std::string journal = database + ".sweep";
   Coefficients coefficients;
-  naming(path, [&] {
-    coefficients = withConsistentLimit(
-        applyMask(buildCoefficients(ship.particulars, ship.solve, [&progress](int done, int total) {
-          progress.at(done, total);
-        })));
-  });
+  naming(path, [&] { coefficients = withConsistentLimit(applyMask(solved(ship, journal))); });
   if (const auto left = std::count(coefficients.masked.begin(), coefficients.masked.end(), 1);
       left > 0) {
     fmt::print(stderr, "solve: {} of {} frequencies masked and interpolated\n", left,
@@ -66,6 +101,7 @@ void solve(const std::string& path, const std::string& database, int threads) {
   ImpulseResponse memory;
   naming(path, [&] { memory = RetardationMatrix(coefficients).table(kStep, kDuration); });
   writeCoefficients(coefficients, database, memory);
+  std::filesystem::remove(journal);
 }
 
 }  // namespace cutwater::command

@@ -4,56 +4,19 @@
 
 #include <cmath>
 #include <mutex>
+#include <optional>
 
 #include "hydro/Errors.h"
+#include "hydro/bem/CheckSettings.h"
 #include "hydro/bem/DiffractionSweep.h"
 #include "hydro/bem/Parallel.h"
+#include "hydro/bem/SweepRecord.h"
+#include "hydro/database/SweepJournal.h"
 #include "hydro/geometry/Lid.h"
 #include "hydro/geometry/SolverPanels.h"
 
 namespace cutwater {
 namespace {
-
-void check(const ShipParticulars& ship, const SolveSettings& settings) {
-  if (ship.wetSurface.faces.empty())
-    throw HydroError(Fault::MeshEmpty, "buildCoefficients: the wet surface has no faces");
-  if (settings.omega.empty())
-    throw HydroError(Fault::BadArgument, "buildCoefficients: no frequencies");
-  double before = 0.0;
-  for (const double omega : settings.omega) {
-    if (!std::isfinite(omega) || omega <= before)
-      throw HydroError(std::isfinite(omega) && omega > 0.0 ? Fault::FrequenciesNotIncreasing
-                                                           : Fault::ValueOutOfRange,
-                       "buildCoefficients: frequency " + std::to_string(omega) + " rad/s after " +
-                           std::to_string(before) + "; they must rise from above 0");
-    before = omega;
-  }
-  for (const double heading : settings.headings)
-    if (!std::isfinite(heading))
-      throw HydroError(Fault::ValueOutOfRange, "buildCoefficients: a heading is not finite");
-  for (const double speed : settings.speeds)
-    if (!std::isfinite(speed))
-      throw HydroError(Fault::ValueOutOfRange, "buildCoefficients: a speed is not finite");
-  before = 0.0;
-  for (const double omega : settings.waveOmega) {
-    if (!std::isfinite(omega) || omega <= before)
-      throw HydroError(Fault::ValueOutOfRange, "buildCoefficients: wave frequency " +
-                                                   std::to_string(omega) + " rad/s after " +
-                                                   std::to_string(before) +
-                                                   "; they must rise from above 0");
-    before = omega;
-  }
-  if (settings.influence != Influence::Adjoint &&
-      (settings.speeds.empty() || settings.headings.empty() || settings.waveOmega.empty()))
-    throw HydroError(Fault::BadArgument,
-                     "buildCoefficients: a table of diffraction forces needs speeds, headings and "
-                     "wave frequencies");
-  if (!(ship.density > 0.0) || !(ship.gravity > 0.0))
-    throw HydroError(Fault::ValueOutOfRange,
-                     "buildCoefficients: density " + std::to_string(ship.density) +
-                         " kg/m³ and gravity " + std::to_string(ship.gravity) +
-                         " m/s² must be above 0");
-}
 
 /// With G off the centre plane, even and odd modes couple: the whole hull then.
 ShipParticulars solvable(const ShipParticulars& ship) {
@@ -91,20 +54,6 @@ std::string describe(const SolveSettings& settings, std::size_t lidPanels) {
          "\nlid_panels = " + std::to_string(lidPanels) +
          "\nx_derivatives = " + word(settings.xDerivatives) + "\ninfluence = \"" + influence() +
          "\"\n";
-}
-
-/// FNV-1a over coordinates and corners: two databases of the same panels have the same hash.
-std::string hashOf(const SurfaceMesh& mesh) {
-  std::uint64_t hash = 14695981039346656037ull;
-  const auto add = [&hash](const void* data, std::size_t size) {
-    for (std::size_t i = 0; i < size; ++i)
-      hash = (hash ^ static_cast<const unsigned char*>(data)[i]) * 1099511628211ull;
-  };
-  for (const Vec3& vertex : mesh.vertices) add(vertex.data(), 3 * sizeof(double));
-  for (const Face& face : mesh.faces) add(face.v.data(), sizeof(face.v));
-  std::string text(16, '0');
-  for (std::size_t i = 0; i < 16; ++i) text[15 - i] = "0123456789abcdef"[(hash >> (4 * i)) & 15u];
-  return text;
 }
 
 /// Highest frequency whose waves the panels at calm water resolve: K ℓ = 4, ℓ the longest edge of
@@ -146,8 +95,9 @@ class Sweep {
       out_.dampingX.resize(count);
     }
     if (settings.influence == Influence::Adjoint) {
-      out_.adjoint.resize(count);
-      if (settings.xDerivatives) out_.adjointX.resize(count);
+      const ModeVectors room = ModeVectors::Zero(6, normals_.n.rows());
+      out_.adjoint.assign(count, room);
+      if (settings.xDerivatives) out_.adjointX.assign(count, room);
     }
     out_.froudeKrylov.assign(out_.headings.size(), std::vector<CVec6>(count));
     out_.diffraction = out_.froudeKrylov;
@@ -245,10 +195,37 @@ class Sweep {
   PanelMesh faces_;  // the surface without the gaps of flattening, for F_I
 };
 
+/// All that the journal does not hold yet, shared out among the threads.
+void solveFrequencies(Sweep& sweep, Coefficients& out, const SolveSettings& settings, int threads,
+                      const SolveProgress& progress, const std::string& path) {
+  std::optional<SweepJournal> journal;
+  if (!path.empty()) journal.emplace(path, journalKey(out, settings), packed(out, 0).size());
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < out.omega.size(); ++i) {
+    if (journal && journal->found().contains(i))
+      unpack(journal->found().at(i), out, i);
+    else
+      left.push_back(i);
+  }
+  const int total = static_cast<int>(out.omega.size());
+  int done = total - static_cast<int>(left.size());
+  if (progress) progress(done, total);
+  std::mutex guard;  // of `done`, of progress and of the journal
+  std::vector<Sweep::Systems> rooms(static_cast<std::size_t>(threads));
+  parallelFor(static_cast<int>(left.size()), threads, [&](int k) {
+    const std::size_t i = left[static_cast<std::size_t>(k)];
+    sweep.solve(i, rooms[static_cast<std::size_t>(omp_get_thread_num())]);
+    const std::lock_guard lock(guard);
+    if (journal) journal->append(i, packed(out, i));
+    ++done;
+    if (progress) progress(done, total);
+  });
+}
+
 }  // namespace
 
 Coefficients buildCoefficients(const ShipParticulars& ship, const SolveSettings& settings,
-                               const SolveProgress& progress) {
+                               const SolveProgress& progress, const std::string& journal) {
   check(ship, settings);
   Coefficients out;
   out.ship = solvable(ship);
@@ -266,16 +243,7 @@ Coefficients buildCoefficients(const ShipParticulars& ship, const SolveSettings&
   const int threads = settings.threads > 0 ? settings.threads : omp_get_num_procs();
   Sweep sweep(out, settings, threads);
   sweep.solveLimits();
-  const int total = static_cast<int>(out.omega.size());
-  int done = 0;
-  std::mutex guard;  // of `done` and of progress
-  std::vector<Sweep::Systems> rooms(static_cast<std::size_t>(threads));
-  parallelFor(total, threads, [&](int i) {
-    sweep.solve(static_cast<std::size_t>(i), rooms[static_cast<std::size_t>(omp_get_thread_num())]);
-    const std::lock_guard lock(guard);
-    ++done;
-    if (progress) progress(done, total);
-  });
+  solveFrequencies(sweep, out, settings, threads, progress, journal);
   if (settings.influence != Influence::Adjoint) sweep.tableDiffraction(threads);
   return out;
 }

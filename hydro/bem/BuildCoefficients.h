@@ -33,8 +33,9 @@ struct SolveSettings {
   int threads = 0;  ///< 0: as many as the machine has. Results do not depend on it.
 };
 
-/// Called after each finished frequency, by one thread at a time, not always the same one. What it
-/// throws stops the sweep and comes out of buildCoefficients.
+/// Called at the start with what the journal holds, then after each finished frequency, by one thread
+/// at a time, not always the same one. What it throws stops the sweep and comes out of
+/// buildCoefficients.
 using SolveProgress = std::function<void(int done, int total)>;
 
 /// Radiation and diffraction of a ship at rest in deep water: A, B, A(0), A(∞), F_I, F_D, ∂A, ∂B,
@@ -49,9 +50,13 @@ using SolveProgress = std::function<void(int done, int total)>;
 /// Time: per frequency two LU factorizations of (n + m)³ and (n + m)² wave terms, n panels a side,
 /// m on the lid; frequencies are solved in parallel. Memory: 64(n + m)² bytes a thread and as much
 /// again.
-/// @throws HydroError FrequenciesNotIncreasing, ValueOutOfRange, MeshEmpty, BadArgument,
+/// @param journal  a file in which finished frequencies are kept, and from which those of an
+///        interrupted sweep of the same ship and settings are taken, to the same bits; "": none. It
+///        stays; remove it when the result is safe.
+/// @throws HydroError FileNotWritable (journal), FrequenciesNotIncreasing, ValueOutOfRange, MeshEmpty, BadArgument,
 /// MatrixSingular, HullNotClosed (no lid fits the waterline).
 Coefficients buildCoefficients(const ShipParticulars& ship, const SolveSettings& settings,
-                               const SolveProgress& progress = {});
+                               const SolveProgress& progress = {},
+                               const std::string& journal = {});
 
 }  // namespace cutwater

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "hydro/Errors.h"
+#include "hydro/Fnv.h"
 #include "hydro/database/BemioLayout.h"
 #include "hydro/database/CutwaterGroup.h"
 
@@ -28,7 +29,7 @@ constexpr std::streamoff kSealLength = 8 + 16;
 
 /// FNV-1a of the first `length` bytes.
 std::string hashOfBytes(std::ifstream& file, std::streamoff length) {
-  hdf5::Fnv hash;
+  Fnv hash;
   std::vector<char> block(1 << 16);
   file.seekg(0);
   while (length > 0) {

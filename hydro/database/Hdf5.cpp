@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "hydro/Fnv.h"
+
 namespace cutwater::hdf5 {
 
 bool Handle::close() noexcept {
@@ -59,13 +61,6 @@ bool addObject(hid_t file, const std::string& name, Fnv& hash) {
 }
 
 }  // namespace
-
-void Fnv::add(const void* bytes, std::size_t n) noexcept {
-  const auto* byte = static_cast<const unsigned char*>(bytes);
-  for (std::size_t i = 0; i < n; ++i) hash_ = (hash_ ^ byte[i]) * 0x100000001b3ull;
-}
-
-std::string Fnv::digits() const { return fmt::format("{:016x}", hash_); }
 
 std::string contentHash(hid_t file) {
   std::vector<std::string> names;

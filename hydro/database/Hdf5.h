@@ -106,16 +106,6 @@ class Reader {
   Handle file_;
 };
 
-/// 64-bit FNV-1a, taken up byte by byte.
-class Fnv {
- public:
-  void add(const void* bytes, std::size_t n) noexcept;
-  std::string digits() const;  ///< 16 hex digits
-
- private:
-  std::uint64_t hash_ = 0xcbf29ce484222325ull;
-};
-
 /// Over name, shape and bytes of every dataset, in the order of names; empty if something cannot be
 /// read.
 std::string contentHash(hid_t file);

@@ -1,0 +1,10 @@
+#pragma once
+#include "hydro/bem/BuildCoefficients.h"
+
+namespace cutwater {
+
+/// Refuses what buildCoefficients cannot solve.
+/// @throws HydroError as buildCoefficients.
+void check(const ShipParticulars& ship, const SolveSettings& settings);
+
+}  // namespace cutwater

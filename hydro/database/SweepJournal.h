@@ -1,0 +1,41 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cutwater {
+
+/// Finished frequencies of a sweep, kept in a file beside the database to be, so that a sweep that is
+/// killed at any moment can go on from them. Each is appended by one write and carries a checksum; a
+/// torn one at the end is cut off when the file is opened again. Numbers are kept as they are: a
+/// resumed sweep has the same bits. Not installed. Not for several threads at once.
+class SweepJournal {
+ public:
+  /// Opens or makes the file.
+  /// @param key  of all that the numbers depend on; records of another key are thrown away.
+  /// @param size  numbers of a frequency.
+  /// @throws HydroError FileNotWritable; FileMalformed for a file that is no journal, which is left
+  ///         as it is.
+  SweepJournal(const std::string& path, std::uint64_t key, std::size_t size);
+  ~SweepJournal();
+  SweepJournal(const SweepJournal&) = delete;
+  SweepJournal& operator=(const SweepJournal&) = delete;
+
+  /// Frequencies found in the file: index and numbers.
+  const std::map<std::uint64_t, std::vector<double>>& found() const noexcept { return found_; }
+  /// @pre numbers.size() is `size`.  @throws HydroError FileNotWritable.
+  void append(std::uint64_t index, std::span<const double> numbers);
+
+ private:
+  void load(std::uint64_t key);
+  [[noreturn]] void refuse(const char* why) const;
+
+  std::string path_;
+  std::size_t size_;
+  int file_ = -1;
+  std::map<std::uint64_t, std::vector<double>> found_;
+};
+
+}  // namespace cutwater
