@@ -80,9 +80,10 @@ template <typename Scalar>
 Factorization<Scalar>::Factorization(Matrix matrix)
     : matrix_(std::move(matrix)),
       lu_(matrix_.template cast<Low>()),
-      pivots_(static_cast<std::size_t>(lu_.rows())),
-      norm_(matrix_.cwiseAbs2().cwiseSqrt().rowwise().sum().maxCoeff()) {
-  if (!std::isfinite(norm_))
+      pivots_(static_cast<std::size_t>(lu_.rows())) {
+  const Eigen::VectorXd sums = matrix_.cwiseAbs2().cwiseSqrt().rowwise().sum();
+  norm_ = sums.maxCoeff();
+  if (!sums.allFinite())
     throw HydroError(Fault::MatrixSingular, "Factorization: an entry of the matrix is not finite");
   check(getrf(static_cast<int>(lu_.rows()), lu_.data(), pivots_.data()), "getrf");
 }

@@ -8,7 +8,7 @@ namespace cutwater {
 /// amplitude, crest over G at t = 0; modes, axes and signs of Conventions.h:
 ///     F_I,j = iρω_I ∫ φ_I n_j dS = −ρg ∫ e^{kz − ik((x − x_G) cos β − (y − y_G) sin β)} n_j dS
 ///                                                                        [M03] (64)-(68), 5.8
-/// Exact on flat panels (PanelWave.h), relative error of each panel's share below 1e-7. A symmetric
+/// Exact on flat panels (PanelWave.h), relative error of each panel's share below 1e-9. A symmetric
 /// mesh counts its starboard image.
 /// @param cog G in hull axes [m].  @param density ρ [kg/m³].
 /// @return [N/m] and [N·m/m].  Cost: four exponentials a panel and side.

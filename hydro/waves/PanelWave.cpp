@@ -13,7 +13,7 @@ Complex dot(const Eigen::Vector3cd& a, const Vec3& b) {
 
 PanelWave byPoints(const Panel& panel, const Eigen::Vector3cd& kappa, const Vec3& origin) {
   PanelWave wave{0.0, Eigen::Vector3cd::Zero()};
-  for (const QuadraturePoint& point : panelQuadrature(panel, 2)) {
+  for (const QuadraturePoint& point : panelQuadrature(panel, 3)) {
     const Complex e = point.weight * std::exp(dot(kappa, point.x - origin));
     wave.sum += e;
     wave.moment += e * (point.x - panel.centroid);

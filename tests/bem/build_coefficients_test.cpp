@@ -37,6 +37,33 @@ TEST(BuildCoefficientsIdentity, SameBitsWhateverTheNumberOfThreads) {
   EXPECT_EQ(one.addedMassInf, three.addedMassInf);
 }
 
+// Stopped after two frequencies, gone on with by another number of threads.
+TEST(BuildCoefficientsIdentity, SameBitsWhenInterruptedAndResumed) {
+  const std::string journal = ::testing::TempDir() + "resumed.sweep";
+  std::remove(journal.c_str());
+  const Coefficients whole = buildCoefficients(smallShip(), fewFrequencies(1));
+  struct Stop {};
+  const auto stopAtTwo = [](int done, int) {
+    if (done == 2) throw Stop{};
+  };
+  EXPECT_THROW(buildCoefficients(smallShip(), fewFrequencies(1), stopAtTwo, journal), Stop);
+  int first = -1;
+  const auto noteFirst = [&first](int done, int) { first = first < 0 ? done : first; };
+  const Coefficients resumed =
+      buildCoefficients(smallShip(), fewFrequencies(2), noteFirst, journal);
+  EXPECT_EQ(first, 2);
+  for (std::size_t i = 0; i < whole.omega.size(); ++i) {
+    EXPECT_EQ(whole.addedMass[i], resumed.addedMass[i]);
+    EXPECT_EQ(whole.dampingX[i], resumed.dampingX[i]);
+    EXPECT_EQ(whole.froudeKrylov[1][i], resumed.froudeKrylov[1][i]);
+    EXPECT_EQ(whole.diffraction[0][i], resumed.diffraction[0][i]);
+    EXPECT_EQ(whole.adjoint[i], resumed.adjoint[i]);
+    EXPECT_EQ(whole.adjointX[i], resumed.adjointX[i]);
+    EXPECT_EQ(whole.conditionOdd[i], resumed.conditionOdd[i]);
+  }
+  std::remove(journal.c_str());
+}
+
 TEST(BuildCoefficientsIdentity, AdjointVectorsReproduceTheDiffractionTable) {
   const Coefficients c = buildCoefficients(smallShip(), fewFrequencies(2));
   const PanelMesh mesh = makePanels(c.ship.wetSurface, c.ship.symmetric);
@@ -78,7 +105,7 @@ TEST(BuildCoefficients, ReportsProgressToTheEnd) {
     last = done;
     EXPECT_EQ(total, 5);
   });
-  EXPECT_EQ(calls, 5);
+  EXPECT_EQ(calls, 6);
   EXPECT_EQ(last, 5);
 }
 

@@ -3,9 +3,11 @@ import csv
 import io
 import math
 import os
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 COMMAND, DATABASE, MESHES = (os.path.abspath(a) if os.path.exists(a) else a for a in sys.argv[1:4])
@@ -242,6 +244,39 @@ class Loading(Files):
         self.assertIn("--cog 5,0: must be three numbers", done.stderr)
         self.assertNotIn("frigate.h5", done.stderr)
         self.refused([*self.BEAM, "--gyradii", "5,-1,1"], "gyradii", "-1")
+
+
+class Interruption(Files):
+    SOLVE = SHIP + "[solve]\nomega = { from = 0.1, to = 3.0, step = 0.05 }\n"
+
+    def start(self, ship, database):
+        return subprocess.Popen([COMMAND, "solve", ship, "-o", database, "--threads", "1"],
+                                stderr=subprocess.PIPE, text=True)
+
+    def test_a_killed_solve_goes_on_from_finished_frequencies_to_the_same_answers(self):
+        ship, database = self.path("s.toml", self.SOLVE), self.path("s.h5")
+        for end in (signal.SIGKILL, signal.SIGINT):
+            running = self.start(ship, database)
+            before = os.path.getsize(database + ".sweep") if os.path.exists(database + ".sweep") else 0
+            while running.poll() is None and not (os.path.exists(database + ".sweep") and
+                                                  os.path.getsize(database + ".sweep") > max(before, 1000)):
+                time.sleep(0.01)
+            running.send_signal(end)
+            message = running.communicate()[1]
+            self.assertNotEqual(running.returncode, 0)
+            self.assertFalse(os.path.exists(database))
+            if end == signal.SIGINT:
+                self.assertEqual(running.returncode, 1)
+                self.assertRegex(message.splitlines()[-1], "interrupted; [0-9]+ of 59 .*s.h5.sweep")
+        done = call("solve", ship, "-o", database)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, "[0-9]+ of 59 frequencies taken from .*s.h5.sweep")
+        self.assertFalse(os.path.exists(database + ".sweep"))
+        whole = self.path("whole.h5")
+        self.assertEqual(call("solve", ship, "-o", whole).returncode, 0)
+        for what in ("coefficients", "excitation"):
+            options = () if what == "coefficients" else ("--speed", "0", "--heading", "150")
+            self.assertEqual(table(what, database, *options), table(what, whole, *options))
 
 
 class Mask(Files):
