@@ -70,66 +70,76 @@ std::vector<FarWave::Block> FarWave::blocks(int all) const {
   return result;
 }
 
+// Blocks in groups, so that what is written with field and source exchanged goes to the same columns,
+// and pages of memory, a few times running.
 void FarWave::fill(double K, int all, Systems& systems) const {
+  constexpr std::size_t kGroup = 8;
   const FormFactors form(pairs_, all, K);
   const auto tiles = std::make_unique<std::array<WaveTile, 2>>();
   const std::vector<Block> rows = blocks(all);
-  for (std::size_t j = 0; j < rows.size(); ++j)
-    for (std::size_t i = 0; i <= j; ++i) {
-      for (int m = 0; m < pairs_.parities(); ++m) {
-        WaveTile& tile = (*tiles)[static_cast<std::size_t>(m)];
-        place(rows[i], rows[j], m == 1, K, tile);
-        weigh(form, rows[i], rows[j], m == 1, tile);
-        addMoments(rows[i], rows[j], m == 1, tile);
-        tile.evaluate(K);
-      }
-      const bool images = (*tiles)[0].takeImages || (*tiles)[1].takeImages;
-      if (pairs_.parities() == 2) WaveTile::toParities((*tiles)[0], (*tiles)[1]);
-      for (int p = 0; p < pairs_.parities(); ++p) {
-        const auto parity = static_cast<Parity>(p);
-        InfluenceSystem<Complex>& system = systems[static_cast<std::size_t>(p)];
-        for (const Target& target :
-             {Target{rows[i], rows[j], false}, Target{rows[j], rows[i], true}}) {
-          if (target.exchanged && i == j) continue;
-          write(target, K, (*tiles)[static_cast<std::size_t>(p)], parity, system);
-          if (images) writeImages(target, K, *tiles, parity, system);
-        }
-      }
+  for (std::size_t group = 0; group < rows.size(); group += kGroup) {
+    const std::size_t end = std::min(group + kGroup, rows.size());
+    for (std::size_t i = 0; i < end; ++i)
+      for (std::size_t j = std::max(group, i); j < end; ++j)
+        fillPair(form, rows[i], rows[j], K, *tiles, systems);
+  }
+}
+
+void FarWave::fillPair(const FormFactors& form, const Block& field, const Block& source, double K,
+                       std::array<WaveTile, 2>& tiles, Systems& systems) const {
+  for (int m = 0; m < pairs_.parities(); ++m) {
+    WaveTile& tile = tiles[static_cast<std::size_t>(m)];
+    place(field, source, m == 1, K, tile);
+    weigh(form, field, source, m == 1, tile);
+    addMoments(field, source, m == 1, tile);
+    tile.evaluate(K);
+  }
+  const bool two = pairs_.parities() == 2;
+  const bool images = tiles[0].takeImages || (two && tiles[1].takeImages);
+  if (two) WaveTile::toParities(tiles[0], tiles[1]);
+  for (int p = 0; p < pairs_.parities(); ++p) {
+    const auto parity = static_cast<Parity>(p);
+    InfluenceSystem<Complex>& system = systems[static_cast<std::size_t>(p)];
+    for (const Target& target : {Target{field, source, false}, Target{source, field, true}}) {
+      if (target.exchanged && field.begin == source.begin) continue;
+      write(target, K, tiles[static_cast<std::size_t>(p)], parity, system);
+      if (images) writeImages(target, K, tiles, parity, system);
     }
+  }
 }
 
 CUTWATER_VECTOR void FarWave::place(const Block& field, const Block& source, bool mirrored,
                                     double K, WaveTile& t) const {
   const double side = mirrored ? -1.0 : 1.0;
-  t.takeImages = false;
-  t.X.fill(0.0);
-  t.Y.fill(1.0);
-  t.R1.fill(1.0 / K);
-  t.active.fill(0.0);
+  if (field.size < kSide || source.size < kSide) t.clear(K);
+  int exact = 0;
   for (int j = 0; j < source.size; ++j) {
     const auto s = static_cast<std::size_t>(source.begin + j);
     const char* far = &isFar_[mirrored ? 1 : 0][s * x_.size()];
+    const double x = x_[s], y = y_[s], z = z_[s], size = size_[s];
+    const double nx = nx_[s], ny = ny_[s], nz = nz_[s];
     for (int i = 0; i < field.size; ++i) {
       const auto f = static_cast<std::size_t>(field.begin + i),
                  k = static_cast<std::size_t>(kSide * j + i);
-      const double dx = x_[s] - x_[f], dy = y_[s] - side * y_[f], depth = -(z_[f] + z_[s]);
+      const double dx = x - x_[f], dy = y - side * y_[f], depth = -(z_[f] + z);
       const double hh = dx * dx + dy * dy, h = std::sqrt(hh), R1 = std::sqrt(hh + depth * depth);
-      t.sourceX[k] = nx_[s];
-      t.sourceY[k] = ny_[s];
-      t.sourceZ[k] = nz_[s];
+      const double perH = 1.0 / (h > 0.0 ? h : 1.0), active = far[f] != 0 ? 1.0 : 0.0;
+      t.ex[k] = h > 0.0 ? dx * perH : 1.0;
+      t.ey[k] = dy * perH;
+      t.X[k] = active * K * h;
+      t.Y[k] = active * K * depth + 1.0 - active;
+      t.R1[k] = active * R1 + (1.0 - active) / K;
+      t.active[k] = active;
+      t.sourceX[k] = nx;
+      t.sourceY[k] = ny;
+      t.sourceZ[k] = nz;
       t.fieldX[k] = -nx_[f];
       t.fieldY[k] = -side * ny_[f];
       t.fieldZ[k] = nz_[f];
-      t.ex[k] = h > 0.0 ? dx / h : 1.0;
-      t.ey[k] = h > 0.0 ? dy / h : 0.0;
-      if (far[f] == 0) continue;
-      t.X[k] = K * h;
-      t.Y[k] = K * depth;
-      t.R1[k] = R1;
-      t.active[k] = 1.0;
-      t.takeImages = t.takeImages || R1 < kExactImage * std::max(size_[s], size_[f]);
+      exact += R1 < kExactImage * std::max(size, size_[f]) ? 1 : 0;
     }
   }
+  t.takeImages = exact > 0;
 }
 
 CUTWATER_VECTOR void FarWave::weigh(const FormFactors& form, const Block& field,

@@ -51,6 +51,8 @@ class FarWave {
     bool exchanged;
   };
   std::vector<Block> blocks(int all) const;
+  void fillPair(const FormFactors& form, const Block& field, const Block& source, double K,
+                std::array<WaveTile, 2>& tiles, Systems& systems) const;
   void place(const Block& field, const Block& source, bool mirrored, double K,
              WaveTile& tile) const;
   void weigh(const FormFactors& form, const Block& field, const Block& source, bool mirrored,

@@ -117,6 +117,15 @@ CUTWATER_INLINE Jet rest(Four F, Four FX, const Inverse& r, Four share, Four w0,
 
 }  // namespace
 
+void WaveTile::clear(double K) {
+  ex.fill(1.0);
+  ey.fill(0.0);
+  X.fill(0.0);
+  Y.fill(1.0);
+  R1.fill(1.0 / K);
+  active.fill(0.0);
+}
+
 void WaveTile::evaluate(double K) {
   waveTerms(X.data(), Y.data(), kPairs,
             {F.data(), FX.data(), J0.data(), J1.data(), Y0.data(), Y1.data()});

@@ -29,6 +29,8 @@ struct WaveTile {
   Column xRe, xIm;            ///< by the source along x
   Column share;               ///< of −1/R₁ taken out, 0 … 2
 
+  /// No pair is active.
+  void clear(double K);
   /// @param K ω²/g [1/m].
   void evaluate(double K);
 
