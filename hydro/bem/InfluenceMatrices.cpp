@@ -34,7 +34,9 @@ namespace {
 constexpr double kG = -1.0 / (4.0 * kPi);
 constexpr double kLidFrom = 0.9;  // of the least resonance; see above
 
-double leastResonanceOf(const PanelMesh& mesh) {
+}  // namespace
+
+double lidFrom(const PanelMesh& mesh) {
   Vec3 low = Vec3::Constant(1e300), high = -low;
   for (const Panel& panel : mesh.panels)
     for (const Vec3& corner : panel.corner) {
@@ -44,20 +46,18 @@ double leastResonanceOf(const PanelMesh& mesh) {
     }
   const Vec3 size = high - low;
   const double kappa = std::hypot(kPi / size.x(), kPi / size.y());
-  return kappa / std::tanh(-kappa * low.z());
+  return kLidFrom * kappa / std::tanh(-kappa * low.z());
 }
-
-}  // namespace
 
 InfluenceMatrices::InfluenceMatrices(PanelMesh mesh, const InfluenceSettings& settings)
     : pairs_(std::move(mesh), settings),
       rankine_(pairs_),
       farWave_(pairs_, rankine_),
-      leastResonance_(leastResonanceOf(pairs_.mesh())) {}
+      lidFrom_(cutwater::lidFrom(pairs_.mesh())) {}
 
 double InfluenceMatrices::lidShare(double K) const noexcept {
   if (mesh().lid.empty()) return 0.0;
-  const double ratio = kLidFrom * leastResonance_ / K;
+  const double ratio = lidFrom_ / K;
   return ratio >= 1.0 ? 0.0 : 1.0 - ratio * ratio;
 }
 

@@ -9,6 +9,10 @@ enum class FrequencyLimit {
   Infinite
 };  ///< image +1/R₁ (rigid surface) or −1/R₁ (φ = 0 on z = 0)
 
+/// Wave number [1/m] above which the lid works: 0.9 of the least at which water in the box around the
+/// hull resonates.
+double lidFrom(const PanelMesh& mesh);
+
 /// What becomes of lid rows that are idle (lidShare is 0).
 enum class IdleLid {
   Drop,  ///< the system is that of the hull alone
@@ -63,8 +67,6 @@ class InfluenceMatrices {
   /// Share s of the lid at wave number K: 0 where the water inside the hull cannot resonate, then
   /// rising to 1. Inside, the lid makes the wave number (1 − s)K.
   double lidShare(double K) const noexcept;
-  /// No resonance inside the hull below this K [1/m]: that of the box around it.
-  double leastResonance() const noexcept { return leastResonance_; }
 
  private:
   using Systems = std::array<InfluenceSystem<Complex>, 2>;
@@ -81,7 +83,7 @@ class InfluenceMatrices {
   PanelPairs pairs_;
   RankineMatrices rankine_;
   FarWave farWave_;
-  double leastResonance_;
+  double lidFrom_;
 };
 
 }  // namespace cutwater

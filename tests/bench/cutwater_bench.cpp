@@ -1,36 +1,24 @@
 // cutwater_bench [-o FILE.csv]: times the solver and the time domain, one row each:
 //   name,panels,threads,seconds,floor_seconds,budget_seconds,checksum
-// A database's floor is the LU factorizations it contains, timed here and shared out to the threads; a
-// tick's and a fleet's is Bullet's own step without hydrodynamics. A fleet's seconds are for one
+// A database's floor is the LU factorizations it contains, timed here as the solver does them, in single
+// precision, and shared out to the threads; a tick's and a fleet's is Bullet's own step without
+// hydrodynamics. A fleet's seconds are for one
 // second of its life. Budgets are the project's for one core of a 2.6 to 3.5 GHz server (two for the
 // databases). The checksum is the sum of the answers: a speed-up that changes physics shows.
 #include <btBulletDynamicsCommon.h>
-#include <lapacke.h>
 
-#include <chrono>
 #include <cstdio>
 #include <string>
 
 #include "demos/BulletWorld.h"
 #include "hydro/AtomicFile.h"
-#include "hydro/bem/BuildCoefficients.h"
 #include "hydro/geometry/Hydrostatics.h"
-#include "hydro/geometry/Lid.h"
 #include "hydro/geometry/Shapes.h"
 #include "hydro/waves/Spectrum.h"
 #include "plugin/Seaway.h"
+#include "tests/bench/Rows.h"
 
-extern "C" void openblas_set_num_threads(int);
-
-namespace {
-
-using namespace cutwater;
-
-double secondsOf(const auto& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
+namespace cutwater::bench {
 
 ShipParticulars frigate(int panels) {
   const FrigateDivision division = frigateDivision(panels);
@@ -53,7 +41,6 @@ ShipParticulars frigate(int panels) {
   return ship;
 }
 
-// The grid of [M03] Table 4: 0.1 to 6.0 rad/s, four headings; adjoint vectors, x-derivatives, lid.
 SolveSettings sweep(int frequencies, int threads) {
   SolveSettings settings;
   for (int i = 1; i <= frequencies; ++i) settings.omega.push_back(6.0 * i / frequencies);
@@ -63,14 +50,6 @@ SolveSettings sweep(int frequencies, int threads) {
   return settings;
 }
 
-struct Row {
-  std::string name;
-  std::size_t panels = 0;
-  int threads = 1;
-  double seconds = 0.0, floor = 0.0, budget = 0.0, checksum = 0.0;
-};
-
-// Written at once as well as in the end, as the databases take a while.
 void add(std::string& csv, const Row& row) {
   char line[256];
   std::snprintf(line, sizeof line, "\"%s\",%zu,%d,%.6g,%.6g,%.6g,%.10g\n", row.name.c_str(),
@@ -79,33 +58,12 @@ void add(std::string& csv, const Row& row) {
   std::fputs(line, stderr);
 }
 
-// Two complex LU factorizations (even, odd) of n unknowns, one thread [s].
-double luFloor(int n) {
-  openblas_set_num_threads(1);
-  Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Random(n, n);
-  std::vector<lapack_int> pivots(static_cast<std::size_t>(n));
-  const double one = secondsOf([&] {
-    LAPACKE_zgetrf(LAPACK_COL_MAJOR, n, n, reinterpret_cast<lapack_complex_double*>(matrix.data()),
-                   n, pivots.data());
-  });
-  return 2.0 * one;
-}
+}  // namespace cutwater::bench
 
-void benchDatabase(std::string& csv, const std::string& name, int panels, int threads,
-                   double budget) {
-  constexpr int kFrequencies = 60;
-  const ShipParticulars ship = frigate(panels);
-  const auto unknowns =
-      static_cast<int>(ship.wetSurface.faces.size() + makeLid(ship.wetSurface, true).size());
-  Coefficients result;
-  Row row{name, ship.wetSurface.faces.size(), threads};
-  row.seconds = secondsOf([&] { result = buildCoefficients(ship, sweep(kFrequencies, threads)); });
-  row.floor = kFrequencies * luFloor(unknowns) / threads;
-  row.budget = budget;
-  for (const Mat6& a : result.addedMass) row.checksum += a.trace() / ship.mass;
-  for (const Mat6& b : result.damping) row.checksum += b.trace() / ship.mass;
-  add(csv, row);
-}
+namespace {
+
+using namespace cutwater;
+using namespace cutwater::bench;
 
 // Seconds that `ticks` of a world with so many ships take, or with as many plain bodies, and the sum
 // of where the ships are then.
@@ -168,9 +126,7 @@ int main(int argc, char** argv) try {
   benchTick(csv, "linear ship, one tick, 6 modes, 200 wave components", coefficients, 200, 2e-6);
   benchTick(csv, "linear ship, one tick, 6 modes, regular wave", coefficients, 1, 2e-6);
   benchFleet(csv, "1000 linear ships at 60 Hz, one core", coefficients, 1000, 20);
-  benchDatabase(csv, "medium mesh (433/side)", 433, 1, 0.0);
-  benchDatabase(csv, "medium mesh (433/side)", 433, 2, 2.0);
-  benchDatabase(csv, "database of Table 4, fine mesh (1040/side)", 1040, 2, 10.0);
+  benchSolver(csv);
   if (argc == 3) {
     writeWhole(argv[2], csv);
   } else {

@@ -1,0 +1,36 @@
+#pragma once
+#include <chrono>
+#include <string>
+
+#include "hydro/bem/BuildCoefficients.h"
+
+namespace cutwater::bench {
+
+/// One line of out/bench.csv.
+struct Row {
+  std::string name;
+  std::size_t panels = 0;
+  int threads = 1;
+  double seconds = 0.0, floor = 0.0, budget = 0.0, checksum = 0.0;
+};
+
+/// Adds it to `csv` and prints it at once, as some take a while.
+void add(std::string& csv, const Row& row);
+
+double secondsOf(const auto& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The frigate with so many panels a side.
+ShipParticulars frigate(int panels);
+/// The grid of [M03] Table 4: 0.1 to 6.0 rad/s, four headings; adjoint vectors, which serve all its
+/// speeds and wave frequencies, and x-derivatives.
+SolveSettings sweep(int frequencies, int threads);
+
+/// Databases of Table 4, with and without lid; what a frequency takes, part by part; how both grow
+/// with panels and threads.
+void benchSolver(std::string& csv);
+
+}  // namespace cutwater::bench
