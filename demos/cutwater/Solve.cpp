@@ -7,7 +7,6 @@
 #include "demos/cutwater/Progress.h"
 #include "demos/cutwater/ShipFile.h"
 #include "hydro/database/CoefficientsFile.h"
-#include "hydro/database/IrregularFrequencies.h"
 #include "hydro/memory/ConsistentLimit.h"
 
 namespace cutwater::command {
@@ -45,10 +44,9 @@ void solve(const std::string& path, const std::string& database, int threads) {
   Progress progress("solve");
   Coefficients coefficients;
   naming(path, [&] {
-    coefficients = withConsistentLimit(
-        applyMask(buildCoefficients(ship.particulars, ship.solve, [&progress](int done, int total) {
-          progress.at(done, total);
-        })));
+    coefficients = readyForUse(
+        buildCoefficients(ship.particulars, ship.solve,
+                          [&progress](int done, int total) { progress.at(done, total); }));
   });
   if (const auto left = std::count(coefficients.masked.begin(), coefficients.masked.end(), 1);
       left > 0) {
