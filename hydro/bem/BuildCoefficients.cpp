@@ -128,7 +128,7 @@ class Sweep {
       : out_(out),
         settings_(settings),
         matrices_(panels(out.ship, settings), influence(settings, threads)),
-        normals_(matrices_.mesh(), out.ship.cog),
+        normals_(matrices_.mesh(), out.ship.cog, out.ship.wetSurface),
         derivative_(out.ship.wetSurface, matrices_.mesh()),
         faces_(makePanels(triangulated(out.ship.wetSurface), out.ship.symmetric)) {
     const std::size_t count = out_.omega.size();
