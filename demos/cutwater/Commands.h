@@ -4,17 +4,25 @@
 #include <string>
 #include <vector>
 
+#include "hydro/Errors.h"
 #include "hydro/database/Coefficients.h"
 
 /// The subcommands of `cutwater`, one file each. Every one throws HydroError with the line to
 /// print; `out` is the file to write, or empty for stdout.
 namespace cutwater::command {
 
+/// An option's value that no file could make right: the command exits 2 instead of 1.
+class UsageError : public HydroError {
+ public:
+  explicit UsageError(const std::string& what) : HydroError(Fault::BadArgument, what) {}
+};
+
 void hydrostatics(const std::string& ship, const std::string& out);
 void solve(const std::string& ship, const std::string& database, int threads);
 void info(const std::string& database, const std::string& out);
 
-/// Forward speed U [m/s] and the form of its terms: "report", "tuck", or "" for the database's own.
+/// Forward speed U [m/s] and the form of its terms: one of kForwardSpeedWords, or "" for the
+/// database's own.
 struct SpeedOptions {
   double speed = 0.0;
   std::string formName;
@@ -40,18 +48,18 @@ void simulate(const std::string& run, bool forces, const std::string& out);
 void sweep(const std::string& run, int threads, const std::string& out);
 
 /// "A:B:N", N values with both ends; empty: `fallback`.
-/// @throws HydroError BadArgument.
+/// @throws UsageError.
 std::vector<double> omegaList(const std::string& range, const std::vector<double>& fallback);
 /// The wave frequencies at which tables are written by default.
 const std::vector<double>& defaultWaveOmega(const Coefficients& coefficients);
 /// The database; prints the warning of a foreign file.
-/// @throws HydroError; BadArgument for a speed outside 0..100 m/s.
+/// @throws HydroError; UsageError for a speed outside 0..100 m/s.
 Coefficients readDatabase(const std::string& path, const SpeedOptions& moving);
 /// Runs `work`; its HydroErrors get the file's name in front.
 void naming(const std::string& file, const std::function<void()>& work);
-/// "X,Y,Z" of an option. @throws HydroError BadArgument naming option and text.
+/// "X,Y,Z" of an option. @throws UsageError naming option and text.
 Vec3 vectorOption(const std::string& option, const std::string& text);
-/// β [rad] of a --heading in degrees. @throws HydroError BadArgument beyond two turns.
+/// β [rad] of a --heading in degrees. @throws UsageError beyond two turns.
 double headingRadians(double degrees);
 /// One warning that names `file` if waves up to `omega` [rad/s] are shorter than the panels resolve.
 void warnIfUnresolved(const std::string& file, const Coefficients& coefficients, double omega);

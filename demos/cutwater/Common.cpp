@@ -24,8 +24,7 @@ std::optional<double> number(const std::string& text, std::size_t from, std::siz
 double part(const std::string& range, std::size_t from, std::size_t to) {
   const auto value = number(range, from, to);
   if (!value) {
-    throw HydroError(Fault::BadArgument,
-                     "--omega " + range + ": must be A:B:N, for instance 0.2:2:37");
+    throw UsageError("--omega " + range + ": must be A:B:N, for instance 0.2:2:37");
   }
   return *value;
 }
@@ -33,9 +32,7 @@ double part(const std::string& range, std::size_t from, std::size_t to) {
 }  // namespace
 
 std::optional<ForwardSpeedForm> SpeedOptions::form() const {
-  if (formName == "report") return ForwardSpeedForm::Report;
-  if (formName == "tuck") return ForwardSpeedForm::Tuck;
-  return {};
+  return fromWord<ForwardSpeedForm>(kForwardSpeedWords, formName);
 }
 
 std::vector<double> omegaList(const std::string& range, const std::vector<double>& fallback) {
@@ -46,8 +43,7 @@ std::vector<double> omegaList(const std::string& range, const std::vector<double
   const double from = part(range, 0, first), to = part(range, first + 1, second);
   const double count = part(range, second + 1, range.size());
   if (!(from > 0.0) || to < from || count < 1.0 || count > 100000.0 || count != std::floor(count)) {
-    throw HydroError(Fault::BadArgument,
-                     "--omega " + range + ": needs 0 < A <= B and a whole number N of values");
+    throw UsageError("--omega " + range + ": needs 0 < A <= B and a whole number N of values");
   }
   std::vector<double> values;
   const int n = static_cast<int>(count);
@@ -61,8 +57,7 @@ const std::vector<double>& defaultWaveOmega(const Coefficients& coefficients) {
 
 Coefficients readDatabase(const std::string& path, const SpeedOptions& moving) {
   if (!(moving.speed >= 0.0 && moving.speed <= 100.0)) {
-    throw HydroError(Fault::BadArgument,
-                     fmt::format("--speed {}: must be in 0..100 m/s", moving.speed));
+    throw UsageError(fmt::format("--speed {}: must be in 0..100 m/s", moving.speed));
   }
   std::string warning;
   Coefficients coefficients = readCoefficients(path, &warning);
@@ -82,9 +77,8 @@ Vec3 vectorOption(const std::string& option, const std::string& text) {
   const std::size_t first = text.find(',');
   const std::size_t second = first == std::string::npos ? first : text.find(',', first + 1);
   const auto refuse = [&] {
-    throw HydroError(
-        Fault::BadArgument,
-        option + " " + text + ": must be three numbers X,Y,Z, for instance -2.4,0,1.3");
+    throw UsageError(option + " " + text +
+                     ": must be three numbers X,Y,Z, for instance -2.4,0,1.3");
   };
   if (second == std::string::npos) refuse();
   const std::size_t from[] = {0, first + 1, second + 1}, to[] = {first, second, text.size()};
@@ -99,8 +93,7 @@ Vec3 vectorOption(const std::string& option, const std::string& text) {
 
 double headingRadians(double degrees) {
   if (!(std::abs(degrees) <= 720.0)) {
-    throw HydroError(Fault::BadArgument,
-                     fmt::format("--heading {}: must be in -720..720 degrees", degrees));
+    throw UsageError(fmt::format("--heading {}: must be in -720..720 degrees", degrees));
   }
   return degrees * kPi / 180.0;
 }

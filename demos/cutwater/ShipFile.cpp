@@ -98,12 +98,11 @@ std::vector<double> waveFrequencies(TomlSection& solve, const std::vector<double
   return values.empty() ? omega : values;
 }
 
-// One of `names`, as the enumerator at its place.
-template <class Enum>
-Enum choice(TomlSection& section, const std::string& key, const std::vector<std::string>& names,
-            Enum fallback) {
-  const std::string word = section.text(key, names[static_cast<std::size_t>(fallback)], names);
-  return static_cast<Enum>(std::find(names.begin(), names.end(), word) - names.begin());
+// One of `words`, as the enumerator at its place.
+template <class Enum, class Words>
+Enum choice(TomlSection& section, const std::string& key, const Words& words, Enum fallback) {
+  const std::string word = section.text(key, wordOf(words, fallback), {words.begin(), words.end()});
+  return *fromWord<Enum>(words, word);
 }
 
 // 1, 4 or 9; "auto" is 0 where it is allowed.
@@ -129,15 +128,13 @@ ConditionLimit conditionLimit(TomlSection& solve, const std::string& key) {
 }
 
 void readMethods(TomlSection& solve, SolveSettings& settings) {
-  settings.formulation =
-      choice(solve, "formulation", {"potential", "source"}, settings.formulation);
-  settings.derivatives = choice(solve, "derivatives", {"stokes", "source"}, settings.derivatives);
+  settings.formulation = choice(solve, "formulation", kFormulationWords, settings.formulation);
+  settings.derivatives = choice(solve, "derivatives", kDerivativesWords, settings.derivatives);
   if (settings.derivatives == Derivatives::Source && settings.formulation != Formulation::Source) {
     solve.refuse("derivatives", "needs formulation = \"source\"");
   }
-  settings.forwardSpeed = choice(solve, "forward_speed", {"report", "tuck"}, settings.forwardSpeed);
-  settings.influence = choice(solve, "influence", {"adjoint", "direct", "interpolated", "inverse"},
-                              settings.influence);
+  settings.forwardSpeed = choice(solve, "forward_speed", kForwardSpeedWords, settings.forwardSpeed);
+  settings.influence = choice(solve, "influence", kInfluenceWords, settings.influence);
   settings.sourcePoints = points(solve, "source_points", settings.sourcePoints, true);
   settings.galerkinPoints = points(solve, "galerkin_points", settings.galerkinPoints, false);
   settings.curvedPanels = solve.boolean("curved_panels", settings.curvedPanels);

@@ -10,7 +10,6 @@
 #include "demos/cutwater/ShipFile.h"
 #include "hydro/Errors.h"
 #include "hydro/database/CoefficientsFile.h"
-#include "hydro/database/IrregularFrequencies.h"
 #include "hydro/memory/ConsistentLimit.h"
 
 namespace cutwater::command {
@@ -38,11 +37,10 @@ void warnOfMask(const std::string& path, const ShipFile& ship) {
 // interrupted: by Ctrl-C after the frequencies at work, by anything else at once.
 class Interruption {
  public:
-  Interruption() : before_(std::signal(SIGINT, [](int) { asked = 1; })) { asked = 0; }
+  Interruption() : before_(std::signal(SIGINT, ask)) { asked = 0; }
   ~Interruption() { std::signal(SIGINT, before_); }
   void check(const std::string& journal, int done, int total) const {
     if (asked == 0 || done == total) return;
-    std::signal(SIGINT, before_);  // a second Ctrl-C stops the program
     throw HydroError(Fault::BadArgument,
                      fmt::format("interrupted; {} of {} frequencies are kept in {}, the same "
                                  "command goes on from there",
@@ -50,6 +48,10 @@ class Interruption {
   }
 
  private:
+  static void ask(int) {
+    asked = 1;
+    std::signal(SIGINT, SIG_DFL);  // a second Ctrl-C stops the program
+  }
   static volatile std::sig_atomic_t asked;
   void (*before_)(int);
 };
@@ -84,7 +86,7 @@ void solve(const std::string& path, const std::string& database, int threads) {
              ship.solve.omega.size(), ship.solve.headings.size());
   const std::string journal = database + ".sweep";
   Coefficients coefficients;
-  naming(path, [&] { coefficients = withConsistentLimit(applyMask(solved(ship, journal))); });
+  naming(path, [&] { coefficients = readyForUse(solved(ship, journal)); });
   if (const auto left = std::count(coefficients.masked.begin(), coefficients.masked.end(), 1);
       left > 0) {
     fmt::print(stderr, "solve: {} of {} frequencies masked and interpolated\n", left,

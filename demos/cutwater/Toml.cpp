@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <sstream>
 
 #include "hydro/Errors.h"
 
@@ -21,7 +22,19 @@ struct TomlSection::State {
 
 namespace {
 
+/// A value as the file could have it, numbers by their shortest text.
 std::string written(const toml::node& node) {
+  std::vector<std::string> parts;
+  if (const toml::array* list = node.as_array()) {
+    for (const toml::node& item : *list) parts.push_back(written(item));
+    return fmt::format("[{}]", fmt::join(parts, ", "));
+  }
+  if (const toml::table* table = node.as_table()) {
+    for (const auto& [key, value] : *table)
+      parts.push_back(fmt::format("{} = {}", key.str(), written(value)));
+    return fmt::format("{{ {} }}", fmt::join(parts, ", "));
+  }
+  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
   std::ostringstream out;
   node.visit([&out](const auto& value) { out << value; });
   return out.str();

@@ -48,7 +48,8 @@ void speed(CLI::App* sub, Arguments& a) {
   sub->add_option("--speed", a.waves.moving.speed, "forward speed U [m/s], 0 to 100");
   sub->add_option("--form", a.waves.moving.formName,
                   "forward-speed terms; default: the database's own (SHIP.toml forward_speed)")
-      ->check(CLI::IsMember({"report", "tuck"}));
+      ->check(CLI::IsMember(
+          std::vector<std::string>(kForwardSpeedWords.begin(), kForwardSpeedWords.end())));
 }
 
 void wave(CLI::App* sub, Arguments& a) {
@@ -188,6 +189,9 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
+  } catch (const command::UsageError& error) {
+    std::fprintf(stderr, "cutwater: %s\n", error.what());
+    return 2;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "cutwater: %s\n", error.what());
     return 1;

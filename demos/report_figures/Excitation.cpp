@@ -57,17 +57,15 @@ std::vector<Means> fourMeans(const Job& job) {
   const OneBlasThread oneThread;
   const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   std::vector<Means> means;
-  for (const auto& [influence, name] : {std::pair{Influence::Direct, "direct"},
-                                        {Influence::Matrix, "interpolated"},
-                                        {Influence::Inverse, "inverse"}}) {
+  for (const Influence influence : {Influence::Direct, Influence::Matrix, Influence::Inverse}) {
     settings.influence = influence;
     const CpuTime cpu;
-    means.push_back({name, bare, 0.0});
+    means.push_back({wordOf(kInfluenceWords, influence), bare, 0.0});
     means.back().database.diffractionTable =
-        solveDiffractionTable({matrices, normals, stokes, ship}, settings, threads);
+        solveDiffractionTable({matrices, normals, stokes, ship}, settings, settings.omega, threads);
     means.back().cpu = cpu.seconds();
   }
-  means.push_back({"adjoint", adjoint, adjointTime});
+  means.push_back({wordOf(kInfluenceWords, Influence::Adjoint), adjoint, adjointTime});
   return means;
 }
 

@@ -65,7 +65,7 @@ class CpuTime {
 
 /// Both sweeps of one mesh, ω_e of the job.
 struct Sweeps {
-  Coefficients ours;     ///< with the consistent A(∞), as `cutwater solve` writes it
+  Coefficients ours;     ///< made ready for use, as `cutwater solve` writes it
   Coefficients reports;  ///< 4 source, 4 Galerkin points
 };
 

@@ -187,7 +187,7 @@ std::vector<Sweeps> writeTable4(const Job& job) {
     Coefficients database = buildCoefficients(mesh.ship, ours(job));
     const double build = cpu.seconds();
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-    database = withConsistentLimit(std::move(database));
+    database = readyForUse(std::move(database));
     const CpuTime reading;
     const int conditions = readConditions(database, waveOmega);
     const double read = reading.seconds();

@@ -11,6 +11,7 @@
 #include "hydro/bem/DiffractionSweep.h"
 #include "hydro/bem/Parallel.h"
 #include "hydro/bem/SweepRecord.h"
+#include "hydro/database/IrregularFrequencies.h"
 #include "hydro/database/SweepJournal.h"
 #include "hydro/geometry/Lid.h"
 #include "hydro/geometry/SolverPanels.h"
@@ -30,30 +31,15 @@ ShipParticulars solvable(const ShipParticulars& ship) {
 
 std::string describe(const SolveSettings& settings, std::size_t lidPanels) {
   const auto word = [](bool b) { return b ? "true" : "false"; };
-  const auto influence = [&]() -> std::string {
-    switch (settings.influence) {
-      case Influence::Adjoint:
-        return "adjoint";
-      case Influence::Direct:
-        return "direct";
-      case Influence::Matrix:
-        return "interpolated";
-      case Influence::Inverse:
-        return "inverse";
-    }
-    return "";
-  };
   const auto points = [](int n) { return n == 0 ? std::string("\"auto\"") : std::to_string(n); };
-  return std::string("formulation = \"") +
-         (settings.formulation == Formulation::Source ? "source" : "potential") +
-         "\"\nderivatives = \"" +
-         (settings.derivatives == Derivatives::Source ? "source" : "stokes") +
+  return std::string("formulation = \"") + wordOf(kFormulationWords, settings.formulation) +
+         "\"\nderivatives = \"" + wordOf(kDerivativesWords, settings.derivatives) +
          "\"\nsource_points = " + points(settings.sourcePoints) +
          "\ngalerkin_points = " + points(settings.galerkinPoints) +
          "\ncurved_panels = " + word(settings.curvedPanels) + "\nlid = " + word(settings.lid) +
          "\nlid_panels = " + std::to_string(lidPanels) +
-         "\nx_derivatives = " + word(settings.xDerivatives) + "\ninfluence = \"" + influence() +
-         "\"\n";
+         "\nx_derivatives = " + word(settings.xDerivatives) + "\ninfluence = \"" +
+         wordOf(kInfluenceWords, settings.influence) + "\"\n";
 }
 
 /// Highest frequency whose waves the panels at calm water resolve: K ℓ = 4, ℓ the longest edge of
@@ -74,6 +60,15 @@ double resolved(const PanelMesh& mesh, double gravity) {
   return longest > 0.0 ? std::sqrt(4.0 * gravity / longest) : 0.0;
 }
 
+/// The frequencies that the mask leaves.
+std::vector<double> regularFrequencies(const Coefficients& c) {
+  const std::vector<int> masked = irregularFrequencies(c);
+  std::vector<double> kept;
+  for (std::size_t i = 0; i < c.omega.size(); ++i)
+    if (masked.empty() || masked[i] == 0) kept.push_back(c.omega[i]);
+  return kept;
+}
+
 /// One ship's sweep: what all frequencies share, and the result being filled. Each frequency writes
 /// only its own places, so threads need no lock.
 class Sweep {
@@ -84,7 +79,7 @@ class Sweep {
       : out_(out),
         settings_(settings),
         matrices_(panels(out.ship, settings), influence(settings, threads)),
-        normals_(matrices_.mesh(), out.ship.cog),
+        normals_(matrices_.mesh(), out.ship.cog, out.ship.wetSurface),
         derivative_(out.ship.wetSurface, matrices_.mesh()),
         faces_(makePanels(triangulated(out.ship.wetSurface), out.ship.symmetric)) {
     const std::size_t count = out_.omega.size();
@@ -144,8 +139,8 @@ class Sweep {
   }
 
   void tableDiffraction(int threads) {
-    out_.diffractionTable =
-        solveDiffractionTable({matrices_, normals_, derivative_, out_.ship}, settings_, threads);
+    out_.diffractionTable = solveDiffractionTable({matrices_, normals_, derivative_, out_.ship},
+                                                  settings_, regularFrequencies(out_), threads);
   }
 
  private:

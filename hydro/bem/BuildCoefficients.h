@@ -40,8 +40,9 @@ using SolveProgress = std::function<void(int done, int total)>;
 
 /// Radiation and diffraction of a ship at rest in deep water: A, B, A(0), A(∞), F_I, F_D, ∂A, ∂B,
 /// adjoint vectors and condition numbers; at forward speed what settings.influence asks for. Panel
-/// method (InfluenceMatrices.h). Condition limits are only copied into the result: applyMask
-/// (IrregularFrequencies.h) acts on them.
+/// method (InfluenceMatrices.h). Condition limits are copied into the result, on which applyMask
+/// (IrregularFrequencies.h) acts; here they only keep irregular frequencies from being nodes between
+/// which influence = Matrix or Inverse interpolates.
 ///
 /// A hull with `symmetric` set is solved by its port half; if G lies off its centre plane the modes
 /// mix, so it is solved whole and the result's wetSurface is the whole surface. Everything of

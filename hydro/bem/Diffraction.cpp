@@ -65,7 +65,7 @@ CMat6 forcesOnUnitMotions(const ModeVectors& b, const ModeNormals& normals) {
   CMat6 sum = CMat6::Zero();
   for (const Parity parity : normals.parities()) {
     const std::vector<int> modes = normals.modes(parity);
-    sum(modes, modes) = sides * b(modes, Eigen::all) * normals.of(parity);
+    sum(modes, modes) = sides * b(modes, Eigen::all) * normals.velocities(parity);
   }
   return sum;
 }

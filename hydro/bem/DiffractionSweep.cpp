@@ -74,10 +74,11 @@ Systems mix(const Systems& a, const Systems& b, double t) {
 
 class DiffractionSweep {
  public:
-  DiffractionSweep(const SolverParts& parts, const SolveSettings& settings, DiffractionTable& table)
+  DiffractionSweep(const SolverParts& parts, const SolveSettings& settings,
+                   const std::vector<double>& grid, DiffractionTable& table)
       : parts_(parts), settings_(settings), table_(table) {
     nodes_.push_back(0.0);
-    nodes_.insert(nodes_.end(), settings.omega.begin(), settings.omega.end());
+    nodes_.insert(nodes_.end(), grid.begin(), grid.end());
   }
 
   /// All groups between node `interval` and the next; after the last node: each by itself.
@@ -155,11 +156,11 @@ class DiffractionSweep {
 }  // namespace
 
 DiffractionTable solveDiffractionTable(const SolverParts& parts, const SolveSettings& settings,
-                                       int threads) {
+                                       const std::vector<double>& grid, int threads) {
   DiffractionTable table{settings.speeds, settings.headings, settings.waveOmega, {}};
   table.values.resize(table.speeds.size() * table.headings.size() * table.waveOmega.size());
   const std::vector<Group> all = groups(table, parts.ship.gravity);
-  const DiffractionSweep sweep(parts, settings, table);
+  const DiffractionSweep sweep(parts, settings, grid, table);
   parallelFor(sweep.intervals(), threads, [&](int i) { sweep.solve(i, all); });
   return table;
 }

@@ -17,9 +17,10 @@ struct SolverParts {
 ///   Direct   assembles and factors its own system;
 ///   Matrix   factors D(ω_e), linear between the two grid frequencies around it    [M03] (80)-(83)
 ///   Inverse  solves with the factors of those two and takes D⁻¹ linear between    [M03] (84)-(87)
-/// the grid being 0 and settings.omega; beyond its end all are direct. Form: settings.forwardSpeed.
+/// the grid being 0 and `grid`; beyond its end all are direct. Form: settings.forwardSpeed.
+/// @param grid  [rad/s], increasing, > 0: settings.omega without what a mask leaves out.
 /// @pre settings.influence is not Adjoint.  @throws as buildCoefficients.
 DiffractionTable solveDiffractionTable(const SolverParts& parts, const SolveSettings& settings,
-                                       int threads);
+                                       const std::vector<double>& grid, int threads);
 
 }  // namespace cutwater

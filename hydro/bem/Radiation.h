@@ -3,10 +3,17 @@
 
 namespace cutwater {
 
-/// Generalised normals n_1..n_6 about G and areas of the hull panels: one row a panel.
+/// Generalised normals n_1..n_6 about G and areas of the hull panels, and the weights with which a
+/// potential of one value a panel is integrated against them: one row a panel.
+///     w_jᵀ φ = ∫ φ n_j dS
+/// On flat panels w_j = n_j ΔS. Over curved ones (PanelMesh::patches) n_j varies, and so does φ, linear
+/// on each panel (PanelGradients.h): w_j has ∫n_j dS of the patch, and ∇φ times the first moment of n_j
+/// carried to the neighbours. By reciprocity the same w_j are the flux of a motion through the panels.
 struct ModeNormals {
-  /// n_{1..3} = n, n_{4..6} = (r − r_G) × n at the centroid.
+  /// n_{1..3} = n, n_{4..6} = (r − r_G) × n at the centroid. Panels count as flat.
   ModeNormals(const PanelMesh& mesh, const Vec3& cog);
+  /// Curved where `mesh` says so.  @param wet the mesh `mesh` was made from.
+  ModeNormals(const PanelMesh& mesh, const Vec3& cog, const SurfaceMesh& wet);
 
   std::vector<Parity> parities() const;
   /// Index of the modes that belong to a parity: {0, 2, 4} or {1, 3, 5}; of a hull solved whole
@@ -14,10 +21,13 @@ struct ModeNormals {
   std::vector<int> modes(Parity parity) const;
   /// Columns n_j of those modes.
   Eigen::MatrixXd of(Parity parity) const;
-  /// Columns w_j = n_j ΔS, twice for a symmetric hull: w_jᵀ φ = ∫ φ n_j dS over both sides.
+  /// Columns w_j, twice for a symmetric hull: ∫ over both sides.
   Eigen::MatrixXd weights(Parity parity) const;
+  /// Columns w_j / ΔS: the normal velocities of unit motion, one value a panel; n_j on flat panels.
+  Eigen::MatrixXd velocities(Parity parity) const;
 
   Eigen::Matrix<double, Eigen::Dynamic, 6> n;
+  Eigen::Matrix<double, Eigen::Dynamic, 6> velocity;  ///< w_j / ΔS
   Eigen::VectorXd area;
   bool symmetric;
 };

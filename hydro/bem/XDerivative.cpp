@@ -1,52 +1,57 @@
 #include "hydro/bem/XDerivative.h"
 
-#include <algorithm>
-#include <map>
+#include "hydro/bem/PanelGradients.h"
 
 namespace cutwater {
 namespace {
 
-/// Faces on each edge, by its two vertices in rising order.
-std::map<std::pair<int, int>, std::vector<int>> facesOfEdges(const SurfaceMesh& wet) {
-  std::map<std::pair<int, int>, std::vector<int>> faces;
-  for (std::size_t f = 0; f < wet.faces.size(); ++f)
-    for (int i = 0; i < wet.faces[f].size(); ++i) {
-      const int a = wet.faces[f][i], b = wet.faces[f][(i + 1) % wet.faces[f].size()];
-      faces[std::minmax(a, b)].push_back(static_cast<int>(f));
-    }
-  return faces;
+/// φ on an edge is a sum over panels: share × φ of the panel.
+struct PanelShare {
+  int panel;
+  double share;
+};
+
+/// weight × the linear φ of a panel at its centroid + away.
+void addLinear(const PanelGradients::Gradient& gradient, int panel, const Vec3& away, double weight,
+               Parity parity, std::vector<PanelShare>& shares) {
+  const Eigen::RowVectorXd steps = away.transpose() * gradient.columns;
+  shares.push_back({panel, weight * (1.0 - steps.sum())});
+  for (Eigen::Index k = 0; k < steps.size(); ++k) {
+    const PanelGradients::Neighbour& other = gradient.neighbours[static_cast<std::size_t>(k)];
+    const double sign = other.isImage && parity == Parity::Odd ? -1.0 : 1.0;
+    shares.push_back({other.panel, sign * weight * steps[k]});
+  }
 }
 
-/// The share of each panel in φ on an edge.
-std::vector<std::pair<int, double>> edgeMean(const std::vector<int>& faces, bool onCentreline,
-                                             Parity parity) {
-  if (faces.size() == 1 && onCentreline && parity == Parity::Odd) return {};
-  std::vector<std::pair<int, double>> mean;
-  for (const int face : faces) mean.emplace_back(face, 1.0 / static_cast<double>(faces.size()));
-  return mean;
+/// φ at the middle of edge i of a panel: the mean over the panels that share it.
+std::vector<PanelShare> edgePotential(const PanelGradients& gradients, const PanelMesh& mesh,
+                                      int panel, int i, Parity parity) {
+  const std::vector<int>& sharing = gradients.sharing(panel, i);
+  std::vector<PanelShare> shares;
+  if (sharing.size() == 1 && parity == Parity::Odd && gradients.onCentreline(panel, i))
+    return shares;
+  const Vec3 middle = gradients.middle(panel, i);
+  for (const int one : sharing)
+    addLinear(gradients.of(one), one, middle - mesh.panels[static_cast<std::size_t>(one)].centroid,
+              1.0 / static_cast<double>(sharing.size()), parity, shares);
+  return shares;
 }
 
 }  // namespace
 
 XDerivative::XDerivative(const SurfaceMesh& wet, const PanelMesh& mesh) {
-  const auto facesOf = facesOfEdges(wet);
+  const PanelGradients gradients(wet, mesh);
   const auto count = static_cast<Eigen::Index>(mesh.panels.size());
-  const double tolerance = 1e-9 * bounds(wet).diagonal();
   for (const Parity parity : {Parity::Even, Parity::Odd}) {
     std::vector<Eigen::Triplet<double>> entries;
     for (int row = 0; row < static_cast<int>(count); ++row) {
-      const Face& face = wet.faces[static_cast<std::size_t>(row)];
       const Panel& panel = mesh.panels[static_cast<std::size_t>(row)];
       for (int i = 0; i < panel.corners; ++i) {
-        const int next = (i + 1) % panel.corners, a = face[i], b = face[next];
-        const Vec3 edge = panel.corner[static_cast<std::size_t>(next)] -
+        const Vec3 edge = panel.corner[static_cast<std::size_t>((i + 1) % panel.corners)] -
                           panel.corner[static_cast<std::size_t>(i)];
         const double along = edge.cross(panel.normal).x();
-        const bool onCentreline = mesh.symmetric && std::abs(wet.corner(face, i).y()) < tolerance &&
-                                  std::abs(wet.corner(face, next).y()) < tolerance;
-        for (const auto& [neighbour, share] :
-             edgeMean(facesOf.at(std::minmax(a, b)), onCentreline, parity))
-          entries.emplace_back(row, neighbour, share * along);
+        for (const auto& [other, share] : edgePotential(gradients, mesh, row, i, parity))
+          entries.emplace_back(row, other, share * along);
       }
     }
     auto& matrix = stokes_[static_cast<std::size_t>(parity)];

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "hydro/Conventions.h"
+#include "hydro/Words.h"
 #include "hydro/geometry/SurfaceMesh.h"
 
 namespace cutwater {
@@ -47,6 +48,8 @@ enum class ForwardSpeedForm {
   Report,  ///< ∂A, ∂B as integrated                                             [M03] (24)-(29)
   Tuck     ///< Tuck's theorem without its line integral: Z(U) = S Z⁰ Sᴴ
 };
+/// What files and commands call them.
+inline constexpr Words<2> kForwardSpeedWords{"report", "tuck"};
 
 /// F_D [N/m, N·m/m] on a grid of conditions, form of `Coefficients::forwardSpeed`.
 struct DiffractionTable {

@@ -118,7 +118,7 @@ class GroupWriter {
     writer_.text("cutwater/" + name, value);
   }
   void operator()(const std::string& name, const ForwardSpeedForm& value) {
-    (*this)(name, std::string(value == ForwardSpeedForm::Tuck ? "tuck" : "report"));
+    (*this)(name, std::string(wordOf(kForwardSpeedWords, value)));
   }
 
  private:
@@ -157,11 +157,12 @@ class GroupReader {
   }
   void operator()(const std::string& name, ForwardSpeedForm& value) {
     const std::string word = reader_.text("cutwater/" + name);
-    if (word != "report" && word != "tuck") {
+    const auto form = fromWord<ForwardSpeedForm>(kForwardSpeedWords, word);
+    if (!form) {
       throw HydroError(Fault::FileMalformed,
                        fmt::format("{}: cutwater/{} = \"{}\"", reader_.path(), name, word));
     }
-    value = word == "tuck" ? ForwardSpeedForm::Tuck : ForwardSpeedForm::Report;
+    value = *form;
   }
 
  private:

@@ -10,7 +10,7 @@ namespace cutwater {
 
 namespace {
 
-constexpr double kTolerance = 1e-3;  // of displacement, of length
+constexpr double kTolerance = 1e-3;  // of displacement; of G, of length along and of beam across
 
 [[noreturn]] void refuse(Fault fault, const std::string& what) {
   throw HydroError(fault, "withLoading: " + what);

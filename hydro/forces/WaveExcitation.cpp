@@ -18,42 +18,48 @@ namespace {
   throw HydroError(fault, "WaveExcitation: " + what);
 }
 
-// The two columns of a table of headings that stand on either side of β, and the weight of the second.
-// Headings are angles: in any order, modulo 2π.
+/// The two columns of a table of headings that stand on either side of β, and the weight of the second.
+/// Headings are angles: in any order, modulo 2π.
 struct Bracket {
-  std::size_t low, high;
-  double weight;
-  bool mirrored;  // of −β instead, modes 2, 4, 6 reversed
+  std::size_t low = 0, high = 0;
+  double weight = 0.0;
+  double gap = 0.0;       // between them [rad]; one column alone: 2π
+  bool mirrored = false;  // of −β instead, modes 2, 4, 6 reversed
 };
 
-bool bracket(const std::vector<double>& headings, double beta, Bracket& found) {
-  constexpr double kSame = 1e-9, kWidest = 0.5 * kPi + kSame;
-  double below = -1e9, above = 1e9;
+/// The widest gap to be interpolated over, with what its ends' round-off may add [rad]. A straight line
+/// over it is off by 4 % of the force of a wave three ship lengths long, whose phase at the ends of the
+/// ship turns by up to ±(π/3)(π/12), and by 30 % of that of a wave one length long.
+constexpr double kWidestGap = kPi / 6.0 + 1e-9;
+
+Bracket bracket(const std::vector<double>& headings, double beta) {
+  constexpr double kSame = 1e-9, kTurn = 2.0 * kPi;
+  Bracket found;
+  double below = kTurn, above = kTurn;
   for (std::size_t i = 0; i < headings.size(); ++i) {
-    const double distance = std::remainder(headings[i] - beta, 2.0 * kPi);
-    if (distance <= kSame && distance > below) {
-      below = distance;
-      found.low = i;
-    }
-    if (distance >= -kSame && distance < above) {
-      above = distance;
-      found.high = i;
-    }
+    const double distance = std::remainder(headings[i] - beta, kTurn);
+    const double ahead = distance < -kSame ? distance + kTurn : std::max(distance, 0.0);
+    const double behind = distance > kSame ? kTurn - distance : std::max(-distance, 0.0);
+    if (behind < below) below = behind, found.low = i;
+    if (ahead < above) above = ahead, found.high = i;
   }
-  found.weight = above - below > kSame ? -below / (above - below) : 0.0;
-  return above - below < kWidest;
+  found.gap = below + above;
+  found.weight = found.gap > kSame ? below / found.gap : 0.0;
+  return found;
 }
 
 /// What a table of one side of a symmetric hull lacks is its mirror image.
 Bracket columns(const std::vector<double>& headings, double beta, bool symmetric) {
-  Bracket found{};
-  if (bracket(headings, beta, found)) return found;
-  found.mirrored = true;
-  if (symmetric && bracket(headings, -beta, found)) return found;
+  const Bracket found = bracket(headings, beta);
+  if (found.gap <= kWidestGap) return found;
+  Bracket image = bracket(headings, -beta);
+  image.mirrored = true;
+  if (symmetric && image.gap <= kWidestGap) return image;
+  const double gap = symmetric ? std::min(found.gap, image.gap) : found.gap;
   refuse(Fault::ValueOutOfRange,
-         fmt::format("heading {:.6g} deg is outside the database's table, which has no adjoint "
-                     "vectors",
-                     beta * 180.0 / kPi));
+         fmt::format("heading {:.6g} deg lies in a gap of {:.6g} deg of the database's table, more "
+                     "than the 30 deg that may be interpolated over; it has no adjoint vectors",
+                     beta * 180.0 / kPi, gap * 180.0 / kPi));
 }
 
 /// The row of a speed; the number of rows if there is none.

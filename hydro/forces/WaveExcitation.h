@@ -20,8 +20,8 @@ namespace cutwater {
 /// and at ω′ = 0 both give U F^U of the rigid free surface: F_D is continuous there.
 ///
 /// A database without adjoint vectors is read from its DiffractionTable at one of the table's own
-/// speeds, or at U = 0 (a plain BEMIO file) from its table of F_I and F_D: cubic in ω_I, linear in β;
-/// of the latter F_I and F_D are only as separate as the file has them. Immutable after construction;
+/// speeds, or at U = 0 (a plain BEMIO file) from its table of F_I and F_D: cubic in ω_I, linear in β
+/// over gaps of up to 30°; of the latter F_I and F_D are only as separate as the file has them. Immutable after construction;
 /// any thread may read. `at` costs O(panels); use it at load.
 class WaveExcitation {
  public:

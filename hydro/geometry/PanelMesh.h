@@ -15,13 +15,21 @@ struct Panel {
   double area = 0.0;           ///< [m²]
 };
 
+/// The curved surface over a flat panel, as far as integrals of its normal need it:
+///     n(x) = n₀ − bend·(x − centroid),   n₀ the panel's normal
+struct CurvedPatch {
+  Vec3 vectorArea = Vec3::Zero();                  ///< ∫ n dS [m²]
+  Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();  ///< symmetric, in the panel's plane [1/m]
+};
+
 /// What the solver works on: flat panels of the hull below calm water (hull axes, z ≤ 0), and of a
 /// lid on the interior waterplane z = 0 whose normals point up (0, 0, 1).
 /// A symmetric hull stores its port half (y ≥ 0); starboard is the mirror image.
 /// panels[i] comes from face i of the wet surface it was made from, in the same order.
 struct PanelMesh {
   std::vector<Panel> panels;
-  std::vector<Panel> lid;  ///< may be empty
+  std::vector<Panel> lid;            ///< may be empty
+  std::vector<CurvedPatch> patches;  ///< of each panel; empty: the panels are the surface
   bool symmetric = false;
 };
 

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "hydro/geometry/PanelQuadrature.h"
@@ -162,17 +163,85 @@ Panel moved(const Panel& panel, const Frame& frame, const Paraboloid& surface) {
   return flatPanel(corners);
 }
 
+/// Bend of the surface over a panel, 0 where it is not believed.
+Eigen::Matrix3d bendOf(const Frame& frame, const Paraboloid& surface) {
+  Eigen::Matrix<double, 3, 2> plane;
+  plane << frame.u, frame.v;
+  return surface.trust * plane * surface.Q * plane.transpose();
+}
+
+/// Vector areas of the patches over the faces: those of the faces, and along each edge e the sliver
+/// ⅔ s × e up to the arc of the surface above it, s the arc's height over the middle. What a face gains
+/// its neighbour loses: the sum over all is that within the arcs of the waterline.
+class PatchAreas {
+ public:
+  /// @param panels unmoved, with the bends of their patches.
+  PatchAreas(const SurfaceMesh& wet, const PanelMesh& panels) : wet_(wet), panels_(panels) {
+    for (std::size_t f = 0; f < wet.faces.size(); ++f)
+      for (int i = 0; i < wet.faces[f].size(); ++i) facesOf_[edge(f, i)].push_back(f);
+  }
+  Vec3 of(std::size_t f) const {
+    Vec3 area = vectorArea(wet_, wet_.faces[f]);
+    for (int i = 0; i < wet_.faces[f].size(); ++i) {
+      const Vec3 along = corner(f, i + 1) - corner(f, i);
+      area += 2.0 / 3.0 * arcHeight(f, i, along).cross(along);
+    }
+    return area;
+  }
+
+ private:
+  int vertex(std::size_t f, int i) const { return wet_.faces[f][i % wet_.faces[f].size()]; }
+  const Vec3& corner(std::size_t f, int i) const {
+    return wet_.vertices[static_cast<std::size_t>(vertex(f, i))];
+  }
+  std::pair<int, int> edge(std::size_t f, int i) const {
+    return std::minmax(vertex(f, i), vertex(f, i + 1));
+  }
+  /// Where the arc rises to: of a loose edge on calm water or on the centreline within that plane.
+  Vec3 outward(std::size_t f, int i, const std::vector<std::size_t>& faces) const {
+    Vec3 normal = Vec3::Zero();
+    for (const std::size_t g : faces) normal += panels_.panels[g].normal;
+    if (faces.size() > 1) return normal.normalized();
+    const Vec3 &a = corner(f, i), &b = corner(f, i + 1);
+    if (a.z() == 0.0 && b.z() == 0.0) normal.z() = 0.0;
+    if (panels_.symmetric && a.y() == 0.0 && b.y() == 0.0) normal.y() = 0.0;
+    return normal.normalized();
+  }
+  /// From the bends of the panels on both sides; none where they meet at a crease.
+  Vec3 arcHeight(std::size_t f, int i, const Vec3& along) const {
+    constexpr double kHalfCrease = 0.966;  // cos 15°
+    const std::vector<std::size_t>& faces = facesOf_.at(edge(f, i));
+    const Vec3 rise = outward(f, i, faces);
+    double height = 0.0;
+    for (const std::size_t g : faces) {
+      const double tilt = rise.dot(panels_.panels[g].normal);
+      if (!(tilt > kHalfCrease)) return Vec3::Zero();
+      height -= along.dot(panels_.patches[g].bend * along) / (8.0 * tilt);
+    }
+    return height / static_cast<double>(faces.size()) * rise;
+  }
+
+  const SurfaceMesh& wet_;
+  const PanelMesh& panels_;
+  std::map<std::pair<int, int>, std::vector<std::size_t>> facesOf_;
+};
+
 }  // namespace
 
 PanelMesh solverPanels(const SurfaceMesh& wet, bool symmetric, bool curved) {
   PanelMesh mesh = makePanels(wet, symmetric);
   if (!curved) return mesh;
   const Neighbourhood neighbours(wet);
+  std::vector<Panel> panels;
   for (std::size_t f = 0; f < mesh.panels.size(); ++f) {
     const Frame frame(mesh.panels[f]);
     const Paraboloid surface = paraboloid(wet, wet.faces[f], neighbours.of(f), frame);
-    mesh.panels[f] = moved(mesh.panels[f], frame, surface);
+    mesh.patches.push_back({Vec3::Zero(), bendOf(frame, surface)});
+    panels.push_back(moved(mesh.panels[f], frame, surface));
   }
+  const PatchAreas areas(wet, mesh);
+  for (std::size_t f = 0; f < mesh.panels.size(); ++f) mesh.patches[f].vectorArea = areas.of(f);
+  mesh.panels = std::move(panels);
   return mesh;
 }
 

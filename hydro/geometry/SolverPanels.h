@@ -11,9 +11,8 @@ namespace cutwater {
 /// The surface over a face is a paraboloid through its corners and those of its neighbours, by least
 /// squares; neighbours beyond a crease (30°) do not count, and where the paraboloid does not fit
 /// (beside a knuckle, on a flat, with too few neighbours) the panel stays. Edges on calm water stay on
-/// z = 0. The corners no longer meet those of the neighbours, and the vector areas grow by as much
-/// as the areas: better for a sphere or an ellipsoid, not for a ship with a keel and a sharp bilge
-/// (DECISIONS.md).
+/// z = 0. The corners no longer meet those of the neighbours and the areas grow; what integrals of the
+/// normal need instead, the vector areas of the curved surface and its bends, is in `patches`.
 /// @param wet  hull below calm water, hull axes; its port half if `symmetric`.
 /// @throws as makePanels.
 PanelMesh solverPanels(const SurfaceMesh& wet, bool symmetric, bool curved = false);

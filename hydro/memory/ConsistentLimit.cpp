@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hydro/database/Interpolation.h"
+#include "hydro/database/IrregularFrequencies.h"
 
 namespace cutwater {
 
@@ -34,10 +35,8 @@ Mat6 directLimit(const Coefficients& c) {
   return 0.5 * (direct + direct.transpose());
 }
 
-}  // namespace
-
-ConsistentLimit consistentLimit(const Coefficients& c) {
-  const RetardationMatrix memory(c);
+/// @param memory  of `c`.
+ConsistentLimit limitOf(const Coefficients& c, const RetardationMatrix& memory) {
   const double last = c.omega[resolvedCount(c) - 1];
   std::vector<Mat6> values;
   for (std::size_t i = 0; i < c.omega.size(); ++i) {
@@ -57,19 +56,27 @@ ConsistentLimit consistentLimit(const Coefficients& c) {
   return limit;
 }
 
+}  // namespace
+
+ConsistentLimit consistentLimit(const Coefficients& c) { return limitOf(c, RetardationMatrix(c)); }
+
 Coefficients withConsistentLimit(Coefficients coefficients) {
-  const ConsistentLimit limit = consistentLimit(coefficients);
+  const RetardationMatrix memory(coefficients);  // of B alone: the new A(∞) does not change it
+  const ConsistentLimit limit = limitOf(coefficients, memory);
   if (!limit.trusted) return coefficients;
   if (coefficients.addedMassInfDirect.isZero(0.0))
     coefficients.addedMassInfDirect = coefficients.addedMassInf;
   coefficients.addedMassInf = limit.addedMassInf;
-  const RetardationMatrix memory(coefficients);
   for (std::size_t i = resolvedCount(coefficients); i < coefficients.omega.size(); ++i) {
     const double omega = coefficients.omega[i];
     coefficients.damping[i] = memory.damping(omega);
     coefficients.addedMass[i] = limit.addedMassInf - memory.sineTransform(omega) / omega;
   }
   return coefficients;
+}
+
+Coefficients readyForUse(Coefficients solved) {
+  return withConsistentLimit(applyMask(std::move(solved)));
 }
 
 }  // namespace cutwater

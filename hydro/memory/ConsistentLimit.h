@@ -29,4 +29,9 @@ ConsistentLimit consistentLimit(const Coefficients& coefficients);
 /// they become the memory's continuation: B by its tail, A = A(∞) − (1/ω)∫K sin ωτ dτ.
 Coefficients withConsistentLimit(Coefficients coefficients);
 
+/// What a solver gave, made ready for readers and the time domain: applyMask (IrregularFrequencies.h),
+/// then withConsistentLimit, for K must not see a resonance that the mask takes out.
+/// @throws HydroError as applyMask and RetardationMatrix.
+Coefficients readyForUse(Coefficients solved);
+
 }  // namespace cutwater

@@ -118,6 +118,22 @@ TEST(DiffractionSweepVerification, InterpolatedInverseFailsNearIrregularFrequenc
                100.0 * inverse, "(fails)");
 }
 
+// What a mask leaves out of the grid is not interpolated from either: the table is that of the grid
+// without it, bit for bit.
+TEST(DiffractionSweepIdentity, MaskedFrequencyIsNoNode) {
+  const ShipParticulars ship = frigate(12, 4);
+  for (const Influence influence : {Influence::Matrix, Influence::Inverse}) {
+    SolveSettings masked = settings(influence, 0.4, 5), without = masked;
+    masked.conditionLimitEven = {{1.1, 1e12}, {1.19, 1.0}, {1.21, 1.0}, {1.3, 1e12}};
+    without.omega.erase(without.omega.begin() + 2);  // 1.2 rad/s
+    const Coefficients all = buildCoefficients(ship, settings(influence, 0.4, 5));
+    const Coefficients left = buildCoefficients(ship, without);
+    const Coefficients found = buildCoefficients(ship, masked);
+    EXPECT_EQ(worst(left.diffractionTable, found.diffractionTable), 0.0);
+    EXPECT_GT(worst(all.diffractionTable, found.diffractionTable), 1e-3);
+  }
+}
+
 // On either side of ω′ = 0 the force tends to that at ω′ = 0, U F^U of the rigid surface.
 TEST(DiffractionSweepIdentity, ForceIsContinuousThroughZeroEncounterFrequency) {
   const ShipParticulars ship = frigate(12, 4);

@@ -48,9 +48,9 @@ class Hulme {
 /// Worst fraction over the table's rows with from ≤ Ka ≤ to.
 Curves worst(const Hulme& hulme, int around, int down, bool lid, double from, double to,
              bool curved = false) {
-  const InfluenceMatrices matrices(panels(wetHemisphere(1.0, around, down), true, lid, curved),
-                                   {.threads = 2});
-  const ModeNormals normals(matrices.mesh(), Vec3::Zero());
+  const SurfaceMesh wet = wetHemisphere(1.0, around, down);
+  const InfluenceMatrices matrices(panels(wet, true, lid, curved), {.threads = 2});
+  const ModeNormals normals(matrices.mesh(), Vec3::Zero(), wet);
   Curves most{};
   for (std::size_t i = 0; i < hulme.rows(); ++i) {
     if (hulme.Ka(i) < from || hulme.Ka(i) > to) continue;
@@ -88,17 +88,17 @@ TEST(HemisphereClosedForm, AddedMassAndDampingOfHeaveAndSurge) {
 /// What the best of other codes reach, % of each curve's maximum, in the order of Curves.
 constexpr Curves kPeers432{0.10, 0.23, 0.50, 0.55}, kPeers1040{0.05, 0.06, 0.09, 0.17};
 
-// Of the error of flat panels two thirds are the volume that an inscribed polyhedron lacks. Panels
-// moved out to the sphere do not lack it: at 160 panels no curve is worse than 0.7 %, which is 0.26 %
-// at 432 for a second-order method. A11 at 1040 panels misses the best of the others (0.10 % against
-// 0.06 %): what is left there is the variation of normal and potential over a panel.
+// Of the error of flat panels two thirds are the volume that an inscribed polyhedron lacks; panels moved
+// out to the sphere do not lack it. Most of what is then left is the variation of normal and potential
+// over a panel, which the weights of curved panels hold. At 160 panels no curve is worse than 0.4 %: for
+// a second-order method 0.15 % at 432 and 0.06 % at 1040.
 TEST(HemisphereClosedForm, CurvedPanelsHaveTheVolumeOfTheSphere) {
   const Hulme hulme;
   const Curves flat = worst(hulme, 16, 10, true, 0.0, 2.0);
   const Curves curved = worst(hulme, 16, 10, true, 0.0, 2.0, true);
   for (std::size_t c = 0; c < 4; ++c) {
-    EXPECT_LT(curved[c], 0.007);
-    EXPECT_LT(curved[c], 0.8 * flat[c]);
+    EXPECT_LT(curved[c], 0.004);
+    EXPECT_LT(curved[c], 0.5 * flat[c]);
   }
   if (!fullSize()) return;
   const char* names[] = {"A33", "A11", "B33", "B11"};
@@ -106,10 +106,7 @@ TEST(HemisphereClosedForm, CurvedPanelsHaveTheVolumeOfTheSphere) {
   const Curves at1040 = worst(hulme, 40, 26, true, 0.0, 2.0, true);
   for (std::size_t c = 0; c < 4; ++c) {
     EXPECT_LE(100.0 * at432[c], kPeers432[c]) << names[c];
-    if (c == 1)
-      EXPECT_LT(at1040[c], 0.5 * at432[c]);
-    else
-      EXPECT_LE(100.0 * at1040[c], kPeers1040[c]) << names[c];
+    EXPECT_LE(100.0 * at1040[c], kPeers1040[c]) << names[c];
     const auto record = [&](const char* count, double reached, double bound) {
       recordResult("solver",
                    std::string(names[c]) + ", hemisphere, " + count +

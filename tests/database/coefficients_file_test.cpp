@@ -1,49 +1,15 @@
-#include <gtest/gtest.h>
-#include <hdf5.h>
-#include <unistd.h>
-
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 
-#include "hydro/Errors.h"
-#include "hydro/database/CoefficientsFile.h"
-#include "tests/database/SampleShip.h"
+#include "tests/database/FileTest.h"
 
+// Our own file: every bit comes back, and what is damaged or not ours is refused.
 namespace cutwater {
 namespace {
 
 namespace fs = std::filesystem;
-using test::sampleShip;
-
-/// A folder of the test's own, removed at its end.
-class CoefficientsFile : public testing::Test {
- protected:
-  CoefficientsFile() {
-    std::string name = (fs::temp_directory_path() / "cutwater_test_XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~CoefficientsFile() override { fs::remove_all(folder_); }
-  std::string path(const std::string& name = "ship.h5") const { return (folder_ / name).string(); }
-  std::size_t files() const {
-    return static_cast<std::size_t>(
-        std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
-  }
-  /// The fault that reading raises; its message must be one line that names the file.
-  Fault faultOf(const std::string& file) const {
-    try {
-      readCoefficients(file);
-    } catch (const HydroError& error) {
-      const std::string what = error.what();
-      EXPECT_EQ(what.find(file), 0u) << what;
-      EXPECT_EQ(what.find('\n'), std::string::npos) << what;
-      return error.fault();
-    }
-    ADD_FAILURE() << file << " was accepted";
-    return Fault::BadArgument;
-  }
-  fs::path folder_;
-};
+using test::Edit, test::sampleShip;
+using CoefficientsFile = test::FileTest;
 
 std::string bytesOf(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -53,43 +19,6 @@ std::string bytesOf(const std::string& path) {
 void put(const std::string& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
-
-/// Removes or changes things in a file as another program would.
-class Edit {
- public:
-  explicit Edit(const std::string& path)
-      : file_(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT)) {}
-  Edit(const Edit&) = delete;
-  Edit& operator=(const Edit&) = delete;
-  ~Edit() { H5Fclose(file_); }
-  void remove(const char* name) { EXPECT_GE(H5Ldelete(file_, name, H5P_DEFAULT), 0) << name; }
-  void set(const char* name, double value) {  // every number of a dataset
-    const hid_t set = H5Dopen2(file_, name, H5P_DEFAULT), space = H5Dget_space(set);
-    const std::vector<double> data(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)),
-                                   value);
-    EXPECT_GE(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()), 0);
-    H5Sclose(space);
-    H5Dclose(set);
-  }
-  void newNumbers(const char* name, std::vector<hsize_t> shape, double value) {
-    const hid_t space = H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr);
-    const hid_t set =
-        H5Dcreate2(file_, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    H5Dclose(set);
-    H5Sclose(space);
-    if (value != 0.0) this->set(name, value);
-  }
-  void version(std::int64_t value) {
-    const hid_t group = H5Gopen2(file_, "cutwater", H5P_DEFAULT);
-    const hid_t attribute = H5Aopen(group, "format_version", H5P_DEFAULT);
-    EXPECT_GE(H5Awrite(attribute, H5T_NATIVE_INT64, &value), 0);
-    H5Aclose(attribute);
-    H5Gclose(group);
-  }
-
- private:
-  hid_t file_;
-};
 
 template <class T>
 bool sameBits(const T& a, const T& b) {
@@ -298,113 +227,6 @@ TEST_F(CoefficientsFile, MissingFileAndOtherFilesAreRefused) {
   EXPECT_EQ(faultOf(path("text.h5")), Fault::FileMalformed);
   H5Fclose(H5Fcreate(path("empty.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
   EXPECT_EQ(faultOf(path("empty.h5")), Fault::FormatNotSupported);
-}
-
-double largestDifference(const std::vector<Mat6>& a, const std::vector<Mat6>& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    largest = std::max(largest, (a[i] - b[i]).cwiseAbs().maxCoeff() / a[i].cwiseAbs().maxCoeff());
-  }
-  return largest;
-}
-
-// The way through BEMIO and back divides and multiplies by ρ, ρω, ρg and a phase: round-off
-// remains.
-TEST_F(CoefficientsFile, PlainBemioFileGivesTheSameShipAtZeroSpeed) {
-  const Coefficients c = sampleShip();
-  writeCoefficients(c, path());
-  Edit(path()).remove("cutwater");
-  std::string warning;
-  const Coefficients back = readCoefficients(path(), &warning);
-  EXPECT_EQ(warning.find(path()), 0u);
-  EXPECT_EQ(warning.find('\n'), std::string::npos);
-  for (const char* word : {"hull", "gyradii", "A(0)", "adjoint"}) {
-    EXPECT_NE(warning.find(word), std::string::npos) << warning;
-  }
-  EXPECT_LT(largestDifference(c.addedMass, back.addedMass), 1e-15);
-  EXPECT_LT(largestDifference(c.damping, back.damping), 1e-15);
-  EXPECT_LT((c.addedMassInf - back.addedMassInf).cwiseAbs().maxCoeff(), 1e-9);
-  EXPECT_LT((c.ship.restoring - back.ship.restoring).cwiseAbs().maxCoeff(), 1e-9);
-  EXPECT_EQ(back.ship.mass, c.ship.density * c.ship.volume);
-  EXPECT_EQ(back.addedMassZero, back.addedMass.front());
-  const std::vector<std::size_t> order{3, 0, 1, 2};  // by β
-  ASSERT_EQ(back.headings.size(), 4u);
-  for (std::size_t h = 0; h < 4; ++h) {
-    const double turn = back.headings[h] - c.headings[order[h]];
-    EXPECT_NEAR(std::remainder(turn, 2.0 * kPi), 0.0, 1e-14);
-  }
-}
-
-TEST_F(CoefficientsFile, PlainBemioFileGivesTheSameExcitation) {
-  const Coefficients c = sampleShip();
-  writeCoefficients(c, path());
-  Edit(path()).remove("cutwater");
-  const Coefficients back = readCoefficients(path());
-  for (std::size_t h = 0; h < 4; ++h) {
-    std::size_t same = 0;
-    while (std::abs(std::remainder(back.headings[h] - c.headings[same], 2.0 * kPi)) > 1e-9) ++same;
-    for (std::size_t i = 0; i < c.omega.size(); ++i) {
-      const double scale = 1e-14 * c.froudeKrylov[same][i].norm();
-      EXPECT_LT((back.froudeKrylov[h][i] - c.froudeKrylov[same][i]).norm(), scale);
-      EXPECT_LT((back.diffraction[h][i] - c.diffraction[same][i]).norm(), 10.0 * scale);
-    }
-  }
-}
-
-TEST_F(CoefficientsFile, ForeignTrapsAreMet) {
-  const Coefficients c = sampleShip();
-  writeCoefficients(c, path());
-  {
-    Edit edit(path());
-    edit.remove("cutwater");
-    // Froude-Krylov not computed: NaN.  Depth in metres: k h = 0.05 at the lowest frequency.
-    edit.set("body1/hydro_coeffs/excitation/froude-krylov/re", std::nan(""));
-    edit.set("body1/hydro_coeffs/excitation/scattering/re", std::nan(""));
-    edit.remove("simulation_parameters/water_depth");
-    edit.newNumbers("simulation_parameters/water_depth", {1, 1}, 50.0);
-    // Two bodies: 12 columns; body 1's own are the first six.
-    edit.remove("body1/hydro_coeffs/added_mass/inf_freq");
-    edit.newNumbers("body1/hydro_coeffs/added_mass/inf_freq", {6, 12}, 2.0);
-    edit.newNumbers("body2", {1, 1}, 1.0);
-  }
-  std::string warning;
-  const Coefficients back = readCoefficients(path(), &warning);
-  EXPECT_EQ(back.addedMassInf, Mat6::Constant(2.0 * c.ship.density));
-  for (const char* word : {"Froude-Krylov", "water depth 50 m", "body1 alone"}) {
-    EXPECT_NE(warning.find(word), std::string::npos) << warning;
-  }
-  const CVec6 total = back.froudeKrylov[0][1] + back.diffraction[0][1];
-  EXPECT_LT((total - c.froudeKrylov[3][1] - c.diffraction[3][1]).norm(), 1e-13 * total.norm());
-}
-
-TEST_F(CoefficientsFile, ForeignFilesThatCannotBeRightAreRefused) {
-  const auto faultAfter = [&](auto&& change) {
-    writeCoefficients(sampleShip(), path());
-    {
-      Edit edit(path());
-      edit.remove("cutwater");
-      change(edit);
-    }
-    return faultOf(path());
-  };
-  const char* mass = "body1/hydro_coeffs/added_mass/all";
-  EXPECT_EQ(faultAfter([](Edit& e) { e.set("simulation_parameters/scaled", 1.0); }),
-            Fault::FormatNotSupported);
-  EXPECT_EQ(faultAfter([&](Edit& e) { e.set(mass, std::nan("")); }), Fault::ValueOutOfRange);
-  EXPECT_EQ(faultAfter([](Edit& e) { e.set("simulation_parameters/w", 1.0); }),
-            Fault::FrequenciesNotIncreasing);
-  EXPECT_EQ(faultAfter([&](Edit& e) { e.remove(mass); }), Fault::DatabaseIncomplete);
-  EXPECT_EQ(faultAfter([&](Edit& e) {
-              e.remove(mass);
-              e.newNumbers(mass, {6, 6, 4}, 1.0);
-            }),
-            Fault::FileMalformed);
-  // More numbers than the file holds: refused before anything is allocated.
-  EXPECT_EQ(faultAfter([&](Edit& e) {
-              e.remove("simulation_parameters/w");
-              e.newNumbers("simulation_parameters/w", {hsize_t{1} << 40, 1}, 0.0);
-            }),
-            Fault::FileMalformed);
 }
 
 }  // namespace

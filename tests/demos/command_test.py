@@ -50,10 +50,10 @@ class Files(unittest.TestCase):
                 file.write(text)
         return full
 
-    def refused(self, arguments, *words):
-        """Exit 1, one line on stderr that names everything in `words`, nothing on stdout."""
+    def refused(self, arguments, *words, code=1):
+        """Exit `code`, one line on stderr that names everything in `words`, nothing on stdout."""
         done = call(*arguments)
-        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertEqual(done.returncode, code, done.stderr)
         last = done.stderr.strip().splitlines()[-1]
         for word in words:
             self.assertIn(word, last)
@@ -240,7 +240,7 @@ class Loading(Files):
         self.refused([*self.BEAM, "--mass", "1e6"], "frigate.h5", "mass = 1000000", "displaces")
         self.refused([*self.BEAM, "--cog", "5,0,1"], "frigate.h5", "cog x = 5", "buoyancy")
         done = call(*self.BEAM, "--cog", "5,0")
-        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.returncode, 2)
         self.assertIn("--cog 5,0: must be three numbers", done.stderr)
         self.assertNotIn("frigate.h5", done.stderr)
         self.refused([*self.BEAM, "--gyradii", "5,-1,1"], "gyradii", "-1")
@@ -314,6 +314,7 @@ condition_limit_odd = [[1.0, 1e12]]
 class Errors(Files):
     def test_usage_exits_two(self):
         for arguments in ([], ["nonsense"], ["solve"], ["rao", DATABASE], ["sweep", "--threads", "-3", "x"],
+                          ["sweep", "--threads", "x", "x"], ["rao", DATABASE, "--heading", "north"],
                           ["coefficients", DATABASE, "--form", "strip"]):
             self.assertEqual(call(*arguments).returncode, 2, arguments)
 
@@ -335,7 +336,8 @@ class Errors(Files):
             (SHIP + "mass = -5\n", ["mass", "-5"]),
             (SHIP + "mass = nan\n", ["mass", "nan"]),
             (SHIP + "[water]\ndensity = \"salt\"\n", ["density", "salt", "number"]),
-            (SHIP + "[solve]\nomega = [0.2, 0.1]\n", ["omega", "increase"]),
+            (SHIP + "[solve]\nomega = [0.2, 0.1]\n", ["[solve] omega = [0.2, 0.1]: ", "increase"]),
+            (SHIP + "[solve]\nomega = { from = 0.2, to = 0.1, step = 0.1 }\n", ["step = 0.1: "]),
             (SHIP + "[solve]\nomega = [0.8]\n", ["s.toml", "[solve] omega", "0.8", "at least 2"]),
             (SHIP + "[solve]\nomega = [0.5, 1.5]\nwave_omega = [0.5, 1.75]\n", ["wave_omega", "1.75", "1.5"]),
             (SHIP + "[solve]\nspeeds = [-5.0]\n", ["speeds", "-5"]),
@@ -390,10 +392,13 @@ class Errors(Files):
 
     def test_bad_ranges_are_named(self):
         for bad in ("1", "1:2", "a:b:c", "2:1:5", "0:1:5", "0.1:1:0", "0.1:1:2.5"):
-            self.refused(["rao", DATABASE, "--heading", "0", "--omega", bad], "--omega", bad)
+            self.refused(["rao", DATABASE, "--heading", "0", "--omega", bad], "--omega", bad, code=2)
+        self.refused(["rao", DATABASE, "--heading", "0", "--speed", "-3"], "speed", "-3", code=2)
+        self.refused(["rao", DATABASE, "--heading", "800"], "--heading 800", code=2)
+        self.refused(["coefficients", DATABASE, "--speed", "nan"], "speed", "nan", code=2)
+        self.refused(["retardation", DATABASE, "--dt", "2", "--duration", "1"], "--dt 2", code=2)
+        # Well formed; that the database ends below is no fault of the line.
         self.refused(["rao", DATABASE, "--heading", "0", "--omega", "5:9:2"], "9")
-        self.refused(["rao", DATABASE, "--heading", "0", "--speed", "-3"], "speed", "-3")
-        self.refused(["coefficients", DATABASE, "--speed", "nan"], "speed", "nan")
 
 
 unittest.main(argv=sys.argv[:1])

@@ -139,7 +139,7 @@ Coefficients withTable(const Coefficients& ship) {
   Coefficients table = ship;
   table.adjoint.clear();
   table.adjointX.clear();
-  table.diffractionTable = {{0.0, 5.0}, {0.0, kPi / 2, kPi}, {}, {}};
+  table.diffractionTable = {{0.0, 5.0}, {kPi / 2, kPi * 5 / 6, kPi}, {}, {}};
   DiffractionTable& t = table.diffractionTable;
   for (int i = 0; i < 21; ++i) t.waveOmega.push_back(0.5 + 0.05 * i);
   for (const double speed : t.speeds) {
@@ -162,11 +162,31 @@ TEST(WaveExcitationIdentity, TableAtItsOwnSpeedsGivesItsOwnForces) {
       EXPECT_LT((found - expected).norm(), 1e-5 * expected.norm()) << omega;
     }
   }
-  const CVec6 between = read.at(1.0, 0.75 * kPi, 5.0).diffraction;
+  const CVec6 between = read.at(1.0, kPi * 11 / 12, 5.0).diffraction;
   const CVec6 mean =
-      0.5 * (exact.at(1.0, 0.5 * kPi, 5.0).diffraction + exact.at(1.0, kPi, 5.0).diffraction);
+      0.5 * (exact.at(1.0, kPi * 5 / 6, 5.0).diffraction + exact.at(1.0, kPi, 5.0).diffraction);
   EXPECT_LT((between - mean).norm(), 1e-9 * mean.norm());
   EXPECT_NO_THROW(read.at(1.0, kPi));
+}
+
+// Columns at 90°, 150° and 180°: a gap of 60° between the first two, of 270° behind them.
+TEST(WaveExcitation, TableIsNotInterpolatedOverWideGaps) {
+  const Coefficients table = withTable(movingBox());
+  const WaveExcitation read(table);
+  const auto refusal = [&](double heading) -> std::string {
+    try {
+      read.at(1.0, heading, 5.0);
+    } catch (const HydroError& error) {
+      EXPECT_EQ(error.fault(), Fault::ValueOutOfRange);
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(refusal(kPi * 2 / 3).find("heading 120 deg lies in a gap of 60 deg"),
+            std::string::npos);
+  EXPECT_NE(refusal(0.0).find("heading 0 deg lies in a gap of 270 deg"), std::string::npos);
+  EXPECT_EQ(refusal(-kPi * 11 / 12), "");  // the mirror image of 165°
+  EXPECT_EQ(refusal(kPi / 2), "");
 }
 
 TEST(WaveExcitation, TableRefusesOtherSpeedsAndTheOtherForm) {

@@ -18,7 +18,7 @@ Mat6 translations(double surge, double heave) {
 }
 
 void addWaveForces(Coefficients& c) {
-  c.headings = {0.0, kPi / 2, kPi};
+  for (int i = 0; i <= 6; ++i) c.headings.push_back(i * kPi / 6);
   for (const double beta : c.headings) {
     std::vector<CVec6> incident, scattered;
     for (const double omega : c.omega) {

@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hydro/bem/Radiation.h"
+#include "tests/bem/Bodies.h"
+
+// Curved panels of a floating hemisphere of radius 1: integrals over the sphere, no flow is solved.
+namespace cutwater::test {
+namespace {
+
+struct CurvedSphere {
+  CurvedSphere(int around, int down)
+      : wet(wetHemisphere(1.0, around, down)),
+        mesh(panels(wet, true, false, true)),
+        normals(mesh, kG, wet) {}
+  static inline const Vec3 kG{0.0, 0.0, -0.3};
+  SurfaceMesh wet;
+  PanelMesh mesh;
+  ModeNormals normals;
+};
+
+/// Relative errors of the patches' vector areas, whose sum over the port half is that of half a disc on
+/// calm water and of as much on the centreline.
+std::array<double, 2> discErrors(int around, int down) {
+  const CurvedSphere sphere(around, down);
+  Vec3 sum = Vec3::Zero();
+  for (const CurvedPatch& patch : sphere.mesh.patches) sum += patch.vectorArea;
+  EXPECT_NEAR(sum.x(), 0.0, 1e-12);
+  return {sum.y() / (0.5 * kPi) - 1.0, sum.z() / (-0.5 * kPi) - 1.0};
+}
+
+// Patches meet, so that only the arcs of the rim tell: parabolas for circles, fourth order in the angle
+// between two vertices. Chords, as flat panels have, would be of second order.
+TEST(CurvedPanelsConvergence, VectorAreasSumToTheDiscAtFourthOrder) {
+  const auto coarse = discErrors(16, 10), fine = discErrors(32, 20);
+  for (std::size_t i = 0; i < coarse.size(); ++i)
+    EXPECT_GT(std::log2(std::abs(coarse[i] / fine[i])), 3.5) << coarse[i] << ' ' << fine[i];
+}
+
+/// Errors, over V, of ∫x n_1 dS = ∫y n_2 dS = ∫z n_3 dS = V and of ∫x n_5 dS, n_5 about G, which is
+/// V(z_B − z_G) + ∫x² of the waterplane: z_B = −3/8, π/4.
+std::array<double, 4> errors(int around, int down) {
+  const CurvedSphere sphere(around, down);
+  const auto integral = [&](int mode, int axis) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < sphere.mesh.panels.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      sum += 2.0 * sphere.normals.area[row] * sphere.normals.velocity(row, mode) *
+             sphere.mesh.panels[i].centroid[axis];
+    }
+    return sum;
+  };
+  const double volume = 2.0 * kPi / 3.0;
+  const double pitch = volume * (-0.375 - CurvedSphere::kG.z()) + 0.25 * kPi;
+  return {integral(Surge, 0) / volume - 1.0, integral(Sway, 1) / volume - 1.0,
+          integral(Heave, 2) / volume - 1.0, (integral(Pitch, 0) - pitch) / volume};
+}
+
+// The weights take x and n_j as linear on a panel. Fourth order, since what they leave out, cubic in the
+// distance from the centroid, is odd; 3.5 allows for the pole, where panels are triangles. With n_j ΔS of
+// the moved panels it is the second.
+TEST(CurvedPanelsConvergence, WeightsIntegrateAtFourthOrder) {
+  const auto coarse = errors(16, 10), fine = errors(32, 20);
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    EXPECT_LT(std::abs(fine[i]), 5e-5) << i;
+    EXPECT_GT(std::log2(coarse[i] / fine[i]), 3.5) << i;
+  }
+}
+
+}  // namespace
+}  // namespace cutwater::test
