@@ -18,8 +18,8 @@ Eigen::Matrix3d spread(const Panel& panel) {
 }
 
 /// ∫ n_j dS over a curved patch: of r × n its part from the bend, −∫ s × (bend s) dS, too.
-Vec6 areas(const CurvedPatch& patch, const Vec3& arm, const Eigen::Matrix3d& spread) {
-  const Eigen::Matrix3d twist = spread * patch.bend;
+Vec6 areas(const CurvedPatch& patch, const Vec3& arm, const Eigen::Matrix3d& moment) {
+  const Eigen::Matrix3d twist = moment * patch.bend;
   Vec6 area;
   area << patch.vectorArea,
       arm.cross(patch.vectorArea) -

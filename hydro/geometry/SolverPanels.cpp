@@ -231,11 +231,14 @@ class PatchAreas {
 PanelMesh solverPanels(const SurfaceMesh& wet, bool symmetric, bool curved) {
   PanelMesh mesh = makePanels(wet, symmetric);
   if (!curved) return mesh;
-  const Neighbourhood neighbours(wet);
+  // The port faces come first in the whole surface, in their order.
+  const SurfaceMesh whole =
+      symmetric ? welded(joined(wet, mirroredInY(wet)), 1e-9 * bounds(wet).diagonal()) : wet;
+  const Neighbourhood neighbours(whole);
   std::vector<Panel> panels;
   for (std::size_t f = 0; f < mesh.panels.size(); ++f) {
     const Frame frame(mesh.panels[f]);
-    const Paraboloid surface = paraboloid(wet, wet.faces[f], neighbours.of(f), frame);
+    const Paraboloid surface = paraboloid(whole, whole.faces[f], neighbours.of(f), frame);
     mesh.patches.push_back({Vec3::Zero(), bendOf(frame, surface)});
     panels.push_back(moved(mesh.panels[f], frame, surface));
   }

@@ -9,9 +9,9 @@ namespace cutwater {
 /// local normals, its panels have the volume to the next order.
 ///
 /// The surface over a face is a paraboloid through its corners and those of its neighbours, by least
-/// squares; neighbours beyond a crease (30°) do not count, and where the paraboloid does not fit
-/// (beside a knuckle, on a flat, with too few neighbours) the panel stays. Edges on calm water stay on
-/// z = 0. The corners no longer meet those of the neighbours and the areas grow; what integrals of the
+/// squares, across the centreline of a half hull too; neighbours beyond a crease (30°) do not count,
+/// and where the paraboloid does not fit (beside a knuckle, on a flat, with too few neighbours) the
+/// panel stays. Edges on calm water stay on z = 0. The corners no longer meet those of the neighbours and the areas grow; what integrals of the
 /// normal need instead, the vector areas of the curved surface and its bends, is in `patches`.
 /// @param wet  hull below calm water, hull axes; its port half if `symmetric`.
 /// @throws as makePanels.

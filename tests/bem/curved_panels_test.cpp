@@ -40,7 +40,7 @@ TEST(CurvedPanelsConvergence, VectorAreasSumToTheDiscAtFourthOrder) {
 
 /// Errors, over V, of ∫x n_1 dS = ∫y n_2 dS = ∫z n_3 dS = V and of ∫x n_5 dS, n_5 about G, which is
 /// V(z_B − z_G) + ∫x² of the waterplane: z_B = −3/8, π/4.
-std::array<double, 4> errors(int around, int down) {
+std::array<double, 4> sphereErrors(int around, int down) {
   const CurvedSphere sphere(around, down);
   const auto integral = [&](int mode, int axis) {
     double sum = 0.0;
@@ -61,11 +61,21 @@ std::array<double, 4> errors(int around, int down) {
 // distance from the centroid, is odd; 3.5 allows for the pole, where panels are triangles. With n_j ΔS of
 // the moved panels it is the second.
 TEST(CurvedPanelsConvergence, WeightsIntegrateAtFourthOrder) {
-  const auto coarse = errors(16, 10), fine = errors(32, 20);
+  const auto coarse = sphereErrors(16, 10), fine = sphereErrors(32, 20);
   for (std::size_t i = 0; i < coarse.size(); ++i) {
     EXPECT_LT(std::abs(fine[i]), 5e-5) << i;
     EXPECT_GT(std::log2(coarse[i] / fine[i]), 3.5) << i;
   }
+}
+
+// Mirror images for neighbours across the centreline are the whole hull's own. Round-off of the fits.
+TEST(CurvedPanelsIdentity, HalfHullHasTheWeightsOfTheWhole) {
+  const CurvedSphere half(8, 5);
+  const SurfaceMesh both = wholeHull(half.wet);
+  const PanelMesh mesh = panels(both, false, false, true);
+  const ModeNormals whole(mesh, CurvedSphere::kG, both);
+  const Eigen::Index count = half.normals.velocity.rows();
+  EXPECT_LT((whole.velocity.topRows(count) - half.normals.velocity).cwiseAbs().maxCoeff(), 1e-9);
 }
 
 }  // namespace

@@ -154,8 +154,8 @@ Hull frigateInShortWaves(bool fine) {
 }
 
 // In short waves a resonance is narrow and the next one near. Off the mask lid and no lid differ by 2 to
-// 3 % of the maximum, the foot of the next; without lid the curves jitter by 0.7 % from one frequency to
-// the next, with lid they are smooth to 0.003 %, the fourth difference of a curve over 0.02 rad/s. What
+// 3 % of the maximum, the foot of the next; without lid the curves jitter by 0.2 to 0.5 % from one frequency
+// to the next, with lid they are smooth to 0.003 %, the fourth difference of a curve over 0.02 rad/s. What
 // the mask interpolates is not compared: too few frequencies here.
 TEST(IrregularFrequenciesVerification, LidIsSmoothInShortWavesAndMeetsTheMaskedCurves) {
   for (const bool fine : {false, true}) {
