@@ -132,7 +132,7 @@ class Tables(Files):
     def test_single_precision_follows_double(self):
         double = table("simulate", self.path("d.toml", RUN))
         single = table("simulate", self.path("s.toml", RUN.replace("[waves]", "double = false\n[waves]")))
-        self.assertNotEqual(double[-1]["z"], single[-1]["z"])
+        self.assertNotEqual(double, single)  # chance may give one number the same nine digits
         self.assertAlmostEqual(float(double[-1]["z"]), float(single[-1]["z"]), delta=1e-4)
 
     def test_waves_shorter_than_the_panels_resolve_are_warned_of_once(self):
