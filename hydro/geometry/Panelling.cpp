@@ -1,0 +1,144 @@
+#include "hydro/geometry/Panelling.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "hydro/Errors.h"
+#include "hydro/geometry/HullShells.h"
+#include "hydro/geometry/MeshIntegrals.h"
+#include "hydro/geometry/SectionPanels.h"
+
+namespace cutwater {
+namespace {
+
+constexpr double kLengthPerGirth = 0.9;  // of mean panel edges: the uppermost row is 0.4 as deep
+constexpr int kTries = 8;                // to meet the count
+constexpr double kCloseEnough = 0.01;    // of the count
+
+/// A quadrilateral with three corners on calm water would be flattened into the waterplane; of its
+/// halves, split from the fourth corner, each keeps one edge there.
+SurfaceMesh withSplitWaterCorners(const SurfaceMesh& mesh) {
+  SurfaceMesh out{mesh.vertices, {}};
+  for (const Face& f : mesh.faces) {
+    int below = -1, onWater = 0;
+    for (int i = 0; i < f.size(); ++i)
+      if (mesh.corner(f, i).z() == 0.0)
+        ++onWater;
+      else
+        below = i;
+    if (onWater == f.size()) continue;
+    if (f.size() == 4 && onWater == 3) {
+      const auto at = [&](int i) { return f[(below + i) % 4]; };
+      out.faces.push_back({{at(0), at(1), at(2), -1}});
+      out.faces.push_back({{at(0), at(2), at(3), -1}});
+    } else {
+      out.faces.push_back(f);
+    }
+  }
+  return out;
+}
+
+SurfaceMesh withoutSlivers(const SurfaceMesh& mesh) {
+  SurfaceMesh out{mesh.vertices, {}};
+  for (const Face& f : mesh.faces) {
+    double size2 = 0.0;
+    for (int i = 0; i < f.size(); ++i)
+      size2 =
+          std::max(size2, (mesh.corner(f, i) - mesh.corner(f, (i + 1) % f.size())).squaredNorm());
+    if (vectorArea(mesh, f).norm() > 1e-6 * size2) out.faces.push_back(f);
+  }
+  return out;
+}
+
+class HullPanels {
+ public:
+  HullPanels(const Hull& hull, const std::string& name)
+      : wet_(wetSurface(hull)),
+        name_(name),
+        symmetric_(hull.symmetric),
+        cutter_(wet_, 0),
+        area_(surfaceArea(wet_)) {}
+
+  /// The division whose number of panels is nearest to the one wanted, of a few tries.
+  SurfaceMesh about(int count) {
+    const double wanted = symmetric_ ? count : 2.0 * count;
+    double girthwise = std::sqrt(area_ / (wanted * kLengthPerGirth));
+    strands_ = sectionStrands(cutter_, 0.25 * girthwise);
+    SurfaceMesh best;
+    double least = 1e300;
+    for (int i = 0; i < kTries && least > kCloseEnough; ++i) {
+      SurfaceMesh now = with(girthwise);
+      const double ratio = static_cast<double>(now.faces.size()) / wanted;
+      if (std::abs(ratio - 1) < least) {
+        least = std::abs(ratio - 1);
+        best = std::move(now);
+      }
+      girthwise *= std::pow(std::max(ratio, 0.1), 0.45);
+    }
+    checkClosed(best);
+    return best;
+  }
+
+ private:
+  SurfaceMesh with(double girthwise) const {
+    SurfaceMesh all;
+    for (const SectionStrand& strand : strands_)
+      all = joined(all, panelsOn(strand, cutter_, {girthwise, kLengthPerGirth * girthwise}));
+    all = welded(all, 1e-6 * girthwise);
+    return welded(withoutSlivers(withSplitWaterCorners(all)), 0.0);
+  }
+
+  void checkClosed(const SurfaceMesh& panels) const {
+    if (panels.faces.empty())
+      throw HydroError(Fault::HullNotClosed, name_ + ": no section to put panels on");
+    for (const OpenEdge& e : looseEdges(panels)) {
+      const Vec3 &p = panels.vertices[static_cast<std::size_t>(e.from)],
+                 &q = panels.vertices[static_cast<std::size_t>(e.to)];
+      const bool onWater = p.z() == 0.0 && q.z() == 0.0;
+      const bool onCentreline = symmetric_ && p.y() == 0.0 && q.y() == 0.0;
+      if (onWater || onCentreline) continue;
+      throw HydroError(Fault::HullNotClosed,
+                       name_ + ": the sections of the hull split or jump at " + placeText(p) +
+                           ", where no panels can be laid; use panels = \"as-is\"");
+    }
+  }
+
+  SurfaceMesh wet_;
+  std::string name_;
+  bool symmetric_;
+  SectionCutter cutter_;
+  double area_;
+  std::vector<SectionStrand> strands_;
+};
+
+}  // namespace
+
+SurfaceMesh panelled(const Hull& hull, int count, const std::string& name) {
+  if (count < kFewestPanels || count > kMostPanels)
+    throw HydroError(Fault::ValueOutOfRange, name + ": panels = " + std::to_string(count) +
+                                                 " must be in " + std::to_string(kFewestPanels) +
+                                                 " to " + std::to_string(kMostPanels));
+  return HullPanels(hull, name).about(count);
+}
+
+double aspectRatio(const SurfaceMesh& mesh, const Face& face) {
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  Vec3 first = Vec3::Zero();
+  double area = 0.0;
+  for (int i = 1; i + 1 < face.size(); ++i) {
+    const Vec3 &a = mesh.corner(face, 0), &b = mesh.corner(face, i), &c = mesh.corner(face, i + 1);
+    const double part = 0.5 * (b - a).cross(c - a).norm();
+    area += part;
+    for (const Vec3& middle : {Vec3(0.5 * (a + b)), Vec3(0.5 * (b + c)), Vec3(0.5 * (c + a))}) {
+      first += part / 3 * middle;
+      second += part / 3 * middle * middle.transpose();
+    }
+  }
+  const Vec3 centre = first / area;
+  second = second / area - centre * centre.transpose();
+  const Vec3 moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(second).eigenvalues();
+  return std::sqrt(moments[2] / std::max(moments[1], 1e-300));
+}
+
+}  // namespace cutwater

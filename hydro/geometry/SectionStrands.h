@@ -1,0 +1,19 @@
+#pragma once
+#include "hydro/geometry/SectionCurves.h"
+
+/// Sections followed along an axis; not installed.
+namespace cutwater {
+
+/// One section curve followed along the axis from where it appears to where it vanishes, splits or
+/// jumps: the side and bottom of a hull, or of one hull of several.
+struct SectionStrand {
+  std::vector<double> place;         ///< along the axis, rising [m]
+  std::vector<SectionCurve> curves;  ///< there
+};
+
+/// All strands of a surface, sampled so densely that from one sample to the next no point at a fixed
+/// fraction of the girth moves by more than `reach` [m], except where the section really jumps.
+/// Curves shorter than a third of that are left out where they are alone.
+std::vector<SectionStrand> sectionStrands(const SectionCutter& cutter, double reach);
+
+}  // namespace cutwater
