@@ -59,7 +59,8 @@ Division divided(double length, const std::vector<double>& corners, double count
   for (std::size_t i = 1; i < ends.size(); ++i) {
     const bool last = i + 1 == ends.size();
     const double here = last || length == 0.0 ? 1.0 : countFraction(ends[i] / length, crowding);
-    const int parts = std::max(1, static_cast<int>(std::lround(count * (here - before))));
+    // A half is rounded down on either side of a symmetric section.
+    const int parts = std::max(1, static_cast<int>(std::ceil(count * (here - before) - 0.501)));
     for (int k = 1; k < parts; ++k)
       division.place.push_back(length *
                                lengthFraction(before + (here - before) * k / parts, crowding));

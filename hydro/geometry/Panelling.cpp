@@ -12,7 +12,7 @@
 namespace cutwater {
 namespace {
 
-constexpr double kLengthPerGirth = 0.9;  // of mean panel edges: the uppermost row is 0.4 as deep
+constexpr double kLengthPerGirth = 0.9;  // of mean panel edges: the uppermost row is half as deep
 constexpr int kTries = 8;                // to meet the count
 constexpr double kCloseEnough = 0.01;    // of the count
 

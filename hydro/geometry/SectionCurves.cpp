@@ -70,10 +70,15 @@ void beginAtTop(std::vector<Vec3>& loop) {
   loop.push_back(loop.front());
 }
 
-double turn(const SectionCurve& curve, double s, double window) {
+struct Turn {
+  double angle;  ///< between the chords before and behind
+  double bend;   ///< their difference, greatest right at a knuckle, a fold included
+};
+
+Turn turnAt(const SectionCurve& curve, double s, double window) {
   const Vec3 here = curve.at(s);
   const Vec3 before = here - curve.at(s - window), behind = curve.at(s + window) - here;
-  return std::atan2(before.cross(behind).norm(), before.dot(behind));
+  return {std::atan2(before.cross(behind).norm(), before.dot(behind)), (behind - before).norm()};
 }
 
 }  // namespace
@@ -112,14 +117,15 @@ CurveDistance distanceBetween(const SectionCurve& a, const SectionCurve& b) {
 }
 
 std::vector<double> cornersOf(const SectionCurve& curve, double window, double angle) {
-  std::vector<std::pair<double, double>> found;  // turn, place
+  std::vector<std::pair<double, double>> found;  // bend, place
   for (const double s : curve.arc) {
     if (s < window || s > curve.length() - window) continue;
-    if (const double t = turn(curve, s, window); t > angle) found.emplace_back(t, s);
+    if (const Turn turn = turnAt(curve, s, window); turn.angle > angle)
+      found.emplace_back(turn.bend, s);
   }
   std::sort(found.rbegin(), found.rend());
   std::vector<double> corners;
-  for (const auto& [t, s] : found) {
+  for (const auto& [bend, s] : found) {
     const bool near = std::any_of(corners.begin(), corners.end(), [&, at = s](double c) {
       return std::abs(c - at) < 1.5 * window;
     });

@@ -9,10 +9,60 @@
 namespace cutwater {
 namespace {
 
-constexpr double kEndCrowding = 0.3;         // stations closer together at the ends
+constexpr double kEndCrowding = 0.2;    // stations closer together at the ends
+constexpr double kWaterCrowding = 0.5;  // rows closer together at calm water
+constexpr double kBendStep = 0.15;      // of a panel edge: how finely bends are looked at
+constexpr double kBendWeight = 0.7;  // panels for a turn of one radian, besides those of its length
 constexpr double kKnuckle = 35 * kPi / 180;  // a turn of this much is an edge of panels
 constexpr double kKept = 20 * kPi / 180;     // and stays one on the next section down to this
 constexpr double kStepping = 0.75;  // parts by which a row's number must be off before it changes
+
+/// Length along a section in which bends count for more, so that panels are shorter in a bilge: a turn
+/// of one radian as much as kBendWeight panels. Turns at corners do not count.
+class BendMeasure {
+ public:
+  BendMeasure(const SectionCurve& curve, const std::vector<double>& corners, double size)
+      : arc_{0.0}, measure_{0.0} {
+    std::vector<double> ends = corners;
+    ends.push_back(curve.length());
+    double from = 0.0;
+    for (const double to : ends) {
+      addPart(curve, from, to, size);
+      if (to < curve.length()) corners_.push_back(total());
+      from = to;
+    }
+  }
+  double total() const { return measure_.back(); }
+  const std::vector<double>& corners() const { return corners_; }
+  double arcAt(double m) const {
+    if (m >= total()) return arc_.back();
+    const auto next = std::lower_bound(measure_.begin(), measure_.end(), m);
+    const auto k = static_cast<std::size_t>(
+        std::clamp<std::ptrdiff_t>(next - measure_.begin(), 1, std::ssize(measure_) - 1));
+    const double t = (m - measure_[k - 1]) / (measure_[k] - measure_[k - 1]);
+    return arc_[k - 1] + t * (arc_[k] - arc_[k - 1]);
+  }
+
+ private:
+  void addPart(const SectionCurve& curve, double from, double to, double size) {
+    const int steps = std::max(2, static_cast<int>(std::ceil((to - from) / (kBendStep * size))));
+    const double step = (to - from) / steps;
+    std::vector<Vec3> chord;
+    for (int k = 0; k < steps; ++k)
+      chord.push_back((curve.at(from + (k + 1) * step) - curve.at(from + k * step)).normalized());
+    const auto turn = [&](int k) {
+      if (k < 1 || k >= steps) return 0.0;
+      const Vec3 &a = chord[static_cast<std::size_t>(k) - 1],
+                 &b = chord[static_cast<std::size_t>(k)];
+      return std::atan2(a.cross(b).norm(), a.dot(b));
+    };
+    for (int k = 0; k < steps; ++k) {
+      arc_.push_back(k + 1 == steps ? to : from + (k + 1) * step);
+      measure_.push_back(total() + step + 0.5 * kBendWeight * size * (turn(k) + turn(k + 1)));
+    }
+  }
+  std::vector<double> arc_, measure_, corners_;
+};
 
 class StrandPanels {
  public:
@@ -115,11 +165,13 @@ class StrandPanels {
       before_ = 1.0;
       return {{addVertex(curve.at(0.5 * curve.length()))}, {0}};
     }
-    const double wanted = std::max(1.0, curve.length() / size_.girthwise);
+    const BendMeasure measure(curve, rowCorners(curve), size_.girthwise);
+    const double wanted = std::max(1.0, measure.total() / size_.girthwise);
     if (std::abs(wanted - before_) > kStepping) before_ = std::round(wanted);
-    const Division division = divided(curve.length(), rowCorners(curve), before_, crowding_);
+    const Division division = divided(measure.total(), measure.corners(), before_, crowding_);
     PanelRow row{{}, division.breaks};
-    for (const double s : division.place) row.vertex.push_back(addVertex(curve.at(s)));
+    for (const double m : division.place)
+      row.vertex.push_back(addVertex(curve.at(measure.arcAt(m))));
     return row;
   }
 
@@ -144,7 +196,7 @@ class StrandPanels {
   const SectionStrand& strand_;
   const SectionCutter& cutter_;
   PanelSize size_;
-  Crowding crowding_;
+  Crowding crowding_{false, false, kWaterCrowding};
   std::vector<double> moved_;
   double before_ = 1.0;  ///< parts of the row before
   std::size_t cornersBefore_ = 0;
