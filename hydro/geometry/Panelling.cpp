@@ -12,9 +12,13 @@
 namespace cutwater {
 namespace {
 
-constexpr double kLengthPerGirth = 0.9;  // of mean panel edges: the uppermost row is half as deep
-constexpr int kTries = 8;                // to meet the count
-constexpr double kCloseEnough = 0.01;    // of the count
+// Mean panel edges along and across the sections: longer where there would be fewer than kEnoughRows
+// from calm water to the keel, as it is across that hulls are curved. The uppermost row is so much
+// narrower that its panels are 2.4 times as long as deep amidships.
+
+constexpr double kLeastRatio = 1.2, kMostRatio = 1.6, kEnoughRows = 10.0, kUppermostRatio = 2.4;
+constexpr int kTries = 8;              // to meet the count
+constexpr double kCloseEnough = 0.01;  // of the count
 
 /// A quadrilateral with three corners on calm water would be flattened into the waterplane; of its
 /// halves, split from the fourth corner, each keeps one edge there.
@@ -63,8 +67,10 @@ class HullPanels {
   /// The division whose number of panels is nearest to the one wanted, of a few tries.
   SurfaceMesh about(int count) {
     const double wanted = symmetric_ ? count : 2.0 * count;
-    double girthwise = std::sqrt(area_ / (wanted * kLengthPerGirth));
+    double girthwise = std::sqrt(area_ / (wanted * kLeastRatio));
     strands_ = sectionStrands(cutter_, 0.25 * girthwise);
+    ratio_ = lengthPerGirth(girthwise);
+    girthwise *= std::sqrt(kLeastRatio / ratio_);
     SurfaceMesh best;
     double least = 1e300;
     for (int i = 0; i < kTries && least > kCloseEnough; ++i) {
@@ -84,9 +90,20 @@ class HullPanels {
   SurfaceMesh with(double girthwise) const {
     SurfaceMesh all;
     for (const SectionStrand& strand : strands_)
-      all = joined(all, panelsOn(strand, cutter_, {girthwise, kLengthPerGirth * girthwise}));
+      all = joined(all,
+                   panelsOn(strand, cutter_,
+                            {girthwise, ratio_ * girthwise, 1 - 1.2 * ratio_ / kUppermostRatio}));
     all = welded(all, 1e-6 * girthwise);
     return welded(withoutSlivers(withSplitWaterCorners(all)), 0.0);
+  }
+
+  double lengthPerGirth(double girthwise) const {
+    double girth = 0.0;  // from calm water to the keel
+    for (const SectionStrand& strand : strands_)
+      for (const SectionCurve& c : strand.curves)
+        girth = std::max(girth, c.points.back().z() == 0.0 ? 0.5 * c.length() : c.length());
+    const double missing = kEnoughRows * girthwise / girth;
+    return std::clamp(kLeastRatio * missing * missing, kLeastRatio, kMostRatio);
   }
 
   void checkClosed(const SurfaceMesh& panels) const {
@@ -108,7 +125,7 @@ class HullPanels {
   std::string name_;
   bool symmetric_;
   SectionCutter cutter_;
-  double area_;
+  double area_, ratio_ = kLeastRatio;
   std::vector<SectionStrand> strands_;
 };
 

@@ -9,10 +9,9 @@
 namespace cutwater {
 namespace {
 
-constexpr double kEndCrowding = 0.2;    // stations closer together at the ends
-constexpr double kWaterCrowding = 0.5;  // rows closer together at calm water
-constexpr double kBendStep = 0.15;      // of a panel edge: how finely bends are looked at
-constexpr double kBendWeight = 0.7;  // panels for a turn of one radian, besides those of its length
+constexpr double kEndCrowding = 0.2;  // stations closer together at the ends
+constexpr double kBendStep = 0.15;    // of a panel edge: how finely bends are looked at
+constexpr double kBendWeight = 0.4;  // panels for a turn of one radian, besides those of its length
 constexpr double kKnuckle = 35 * kPi / 180;  // a turn of this much is an edge of panels
 constexpr double kKept = 20 * kPi / 180;     // and stays one on the next section down to this
 constexpr double kStepping = 0.75;  // parts by which a row's number must be off before it changes
@@ -103,6 +102,7 @@ class StrandPanels {
     }
     crowding_.start = start > 0.5 * moved_.back();
     crowding_.end = end > 0.5 * moved_.back();
+    crowding_.c = size_.waterCrowding;
   }
 
   /// Where the hull's lines turn: knuckles across the strand.
@@ -196,7 +196,7 @@ class StrandPanels {
   const SectionStrand& strand_;
   const SectionCutter& cutter_;
   PanelSize size_;
-  Crowding crowding_{false, false, kWaterCrowding};
+  Crowding crowding_;
   std::vector<double> moved_;
   double before_ = 1.0;  ///< parts of the row before
   std::size_t cornersBefore_ = 0;

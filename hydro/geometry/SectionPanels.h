@@ -4,9 +4,10 @@
 /// Panels on the strands of a wet hull; not installed.
 namespace cutwater {
 
-/// Mean lengths of panel edges [m] across and along the sections.
+/// Mean lengths of panel edges [m] across and along the sections, and how much shorter than the mean
+/// those across are at calm water (Crowding::c).
 struct PanelSize {
-  double girthwise = 1.0, lengthwise = 1.0;
+  double girthwise = 1.0, lengthwise = 1.0, waterCrowding = 0.0;
 };
 
 /// Panels on one strand, corners on its surface: stations closer together at the ends and at equal
