@@ -3,65 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hydro/geometry/BendMeasure.h"
 #include "hydro/geometry/FlatEnd.h"
 #include "hydro/geometry/PanelRows.h"
 
 namespace cutwater {
 namespace {
 
-constexpr double kEndCrowding = 0.2;  // stations closer together at the ends
-constexpr double kBendStep = 0.15;    // of a panel edge: how finely bends are looked at
-constexpr double kBendWeight = 0.4;  // panels for a turn of one radian, besides those of its length
+constexpr double kEndCrowding = 0.2;         // stations closer together at the ends
 constexpr double kKnuckle = 35 * kPi / 180;  // a turn of this much is an edge of panels
-constexpr double kKept = 20 * kPi / 180;     // and stays one on the next section down to this
-constexpr double kStepping = 0.75;  // parts by which a row's number must be off before it changes
-
-/// Length along a section in which bends count for more, so that panels are shorter in a bilge: a turn
-/// of one radian as much as kBendWeight panels. Turns at corners do not count.
-class BendMeasure {
- public:
-  BendMeasure(const SectionCurve& curve, const std::vector<double>& corners, double size)
-      : arc_{0.0}, measure_{0.0} {
-    std::vector<double> ends = corners;
-    ends.push_back(curve.length());
-    double from = 0.0;
-    for (const double to : ends) {
-      addPart(curve, from, to, size);
-      if (to < curve.length()) corners_.push_back(total());
-      from = to;
-    }
-  }
-  double total() const { return measure_.back(); }
-  const std::vector<double>& corners() const { return corners_; }
-  double arcAt(double m) const {
-    if (m >= total()) return arc_.back();
-    const auto next = std::lower_bound(measure_.begin(), measure_.end(), m);
-    const auto k = static_cast<std::size_t>(
-        std::clamp<std::ptrdiff_t>(next - measure_.begin(), 1, std::ssize(measure_) - 1));
-    const double t = (m - measure_[k - 1]) / (measure_[k] - measure_[k - 1]);
-    return arc_[k - 1] + t * (arc_[k] - arc_[k - 1]);
-  }
-
- private:
-  void addPart(const SectionCurve& curve, double from, double to, double size) {
-    const int steps = std::max(2, static_cast<int>(std::ceil((to - from) / (kBendStep * size))));
-    const double step = (to - from) / steps;
-    std::vector<Vec3> chord;
-    for (int k = 0; k < steps; ++k)
-      chord.push_back((curve.at(from + (k + 1) * step) - curve.at(from + k * step)).normalized());
-    const auto turn = [&](int k) {
-      if (k < 1 || k >= steps) return 0.0;
-      const Vec3 &a = chord[static_cast<std::size_t>(k) - 1],
-                 &b = chord[static_cast<std::size_t>(k)];
-      return std::atan2(a.cross(b).norm(), a.dot(b));
-    };
-    for (int k = 0; k < steps; ++k) {
-      arc_.push_back(k + 1 == steps ? to : from + (k + 1) * step);
-      measure_.push_back(total() + step + 0.5 * kBendWeight * size * (turn(k) + turn(k + 1)));
-    }
-  }
-  std::vector<double> arc_, measure_, corners_;
-};
+constexpr double kPointlike = 0.6;  // an end section shorter than this part of a panel is a point
+constexpr double kKept = 20 * kPi / 180;  // and stays one on the next section down to this
 
 class StrandPanels {
  public:
@@ -71,15 +23,21 @@ class StrandPanels {
   SurfaceMesh panels() {
     measure();
     crowdRows();
-    const std::vector<double> stations = stationPlaces();
-    for (std::size_t k = 0; k < stations.size(); ++k) {
-      const bool end = k == 0 || k + 1 == stations.size();
-      rows_.push_back(row(curveAt(stations[k], k == 0, k + 1 == stations.size()), end));
+    const std::vector<SectionCurve> curves = stationCurves();
+    const std::vector<std::vector<double>> corners = rowCorners(curves);
+    std::vector<BendMeasure> measures;
+    for (std::size_t k = 0; k < curves.size(); ++k)
+      measures.emplace_back(curves[k], corners[k], size_.girthwise);
+    const std::vector<double> counts = rowCounts(measures);
+    std::vector<PanelRow> rows;
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      const bool end = k == 0 || k + 1 == curves.size();
+      const bool point = end && curves[k].length() < kPointlike * size_.girthwise;
+      rows.push_back(point ? pointRow(curves[k]) : row(curves[k], measures[k], counts[k]));
     }
-    for (std::size_t k = 0; k + 1 < rows_.size(); ++k)
-      addPanelsBetween(rows_[k], rows_[k + 1], mesh_);
-    addFlatEnd(rows_.front().vertex, true, size_.girthwise, mesh_);
-    addFlatEnd(rows_.back().vertex, false, size_.girthwise, mesh_);
+    for (std::size_t k = 0; k + 1 < rows.size(); ++k) addPanelsBetween(rows[k], rows[k + 1], mesh_);
+    addFlatEnd(rows.front().vertex, true, size_.girthwise, mesh_);
+    addFlatEnd(rows.back().vertex, false, size_.girthwise, mesh_);
     return mesh_;
   }
 
@@ -143,49 +101,77 @@ class StrandPanels {
     return places;
   }
 
-  SectionCurve curveAt(double place, bool first, bool last) const {
-    if (first) return strand_.curves.front();
-    if (last) return strand_.curves.back();
+  std::vector<SectionCurve> stationCurves() const {
+    const std::vector<double> places = stationPlaces();
+    std::vector<SectionCurve> curves{strand_.curves.front()};
+    for (std::size_t k = 1; k + 1 < places.size(); ++k) curves.push_back(curveAt(places[k]));
+    curves.push_back(strand_.curves.back());
+    return curves;
+  }
+
+  /// Of the curves in that plane the one that belongs to this strand.
+  SectionCurve curveAt(double place) const {
     const auto next = std::lower_bound(strand_.place.begin(), strand_.place.end(), place);
     const auto k =
         std::min(static_cast<std::size_t>(next - strand_.place.begin()), strand_.curves.size() - 1);
-    const SectionCurve* best = &strand_.curves[k];
+    SectionCurve best = strand_.curves[k];
     double least = 1e300;
-    const std::vector<SectionCurve> there = cutter_.curvesAt(place, SectionCutter::Side::Above);
-    for (const SectionCurve& curve : there)
+    for (SectionCurve& curve : cutter_.curvesAt(place, SectionCutter::Side::Above))
       if (const double d = distanceBetween(curve, strand_.curves[k]).mean; d < least) {
         least = d;
-        best = &curve;
+        best = std::move(curve);
       }
-    return *best;
+    return best;
   }
 
-  PanelRow row(const SectionCurve& curve, bool end) {
-    if (end && curve.length() < 0.6 * size_.girthwise) {
-      before_ = 1.0;
-      return {{addVertex(curve.at(0.5 * curve.length()))}, {0}};
+  /// Knuckles of each section; a soft one counts beside a section with a sharp one, so that a fading
+  /// chine is followed.
+  std::vector<std::vector<double>> rowCorners(const std::vector<SectionCurve>& curves) const {
+    std::vector<bool> sharp;
+    for (const SectionCurve& c : curves) sharp.push_back(!roomyCorners(c, kKnuckle).empty());
+    std::vector<std::vector<double>> corners;
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      const bool beside = (k > 0 && sharp[k - 1]) || (k + 1 < sharp.size() && sharp[k + 1]);
+      corners.push_back(roomyCorners(curves[k], beside ? kKept : kKnuckle));
     }
-    const BendMeasure measure(curve, rowCorners(curve), size_.girthwise);
-    const double wanted = std::max(1.0, measure.total() / size_.girthwise);
-    if (std::abs(wanted - before_) > kStepping) before_ = std::round(wanted);
-    const Division division = divided(measure.total(), measure.corners(), before_, crowding_);
+    return corners;
+  }
+
+  /// Corners with room for a panel on either side.
+  std::vector<double> roomyCorners(const SectionCurve& curve, double angle) const {
+    const double room = 0.35 * size_.girthwise;
+    std::vector<double> kept;
+    for (const double s : cornersOf(curve, 0.2 * size_.girthwise, angle))
+      if (s > room && s < curve.length() - room && (kept.empty() || s - kept.back() > room))
+        kept.push_back(s);
+    return kept;
+  }
+
+  /// Parts of each row; the median of five, so that a girth near a limit does not flicker.
+  std::vector<double> rowCounts(const std::vector<BendMeasure>& measures) const {
+    std::vector<double> raw, counts;
+    for (const BendMeasure& m : measures)
+      raw.push_back(std::max(1.0, std::ceil(m.total() / size_.girthwise - 0.501)));
+    for (std::size_t k = 0; k < raw.size(); ++k) {
+      const std::size_t reach = std::min({std::size_t{2}, k, raw.size() - 1 - k});
+      std::vector<double> near(raw.begin() + static_cast<std::ptrdiff_t>(k - reach),
+                               raw.begin() + static_cast<std::ptrdiff_t>(k + reach + 1));
+      std::nth_element(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(reach), near.end());
+      counts.push_back(near[reach]);
+    }
+    return counts;
+  }
+
+  PanelRow pointRow(const SectionCurve& curve) {
+    return {{addVertex(curve.at(0.5 * curve.length()))}, {0}};
+  }
+
+  PanelRow row(const SectionCurve& curve, const BendMeasure& measure, double count) {
+    const Division division = divided(measure.total(), measure.corners(), count, crowding_);
     PanelRow row{{}, division.breaks};
     for (const double m : division.place)
       row.vertex.push_back(addVertex(curve.at(measure.arcAt(m))));
     return row;
-  }
-
-  std::vector<double> rowCorners(const SectionCurve& curve) {
-    std::vector<double> kept;
-    for (const double s : cornersOf(curve, 0.2 * size_.girthwise, kKept)) {
-      const bool sharp = !cornersOf(curve, 0.2 * size_.girthwise, kKnuckle).empty();
-      const bool known = cornersBefore_ > 0;
-      const bool room = s > 0.35 * size_.girthwise && s < curve.length() - 0.35 * size_.girthwise &&
-                        (kept.empty() || s - kept.back() > 0.35 * size_.girthwise);
-      if (room && (sharp || known)) kept.push_back(s);
-    }
-    cornersBefore_ = kept.size();
-    return kept;
   }
 
   int addVertex(const Vec3& p) {
@@ -198,9 +184,6 @@ class StrandPanels {
   PanelSize size_;
   Crowding crowding_;
   std::vector<double> moved_;
-  double before_ = 1.0;  ///< parts of the row before
-  std::size_t cornersBefore_ = 0;
-  std::vector<PanelRow> rows_;
   SurfaceMesh mesh_;
 };
 
