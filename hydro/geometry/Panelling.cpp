@@ -3,11 +3,13 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "hydro/Errors.h"
 #include "hydro/geometry/HullShells.h"
 #include "hydro/geometry/MeshIntegrals.h"
 #include "hydro/geometry/SectionPanels.h"
+#include "hydro/geometry/StationField.h"
 
 namespace cutwater {
 namespace {
@@ -58,17 +60,14 @@ SurfaceMesh withoutSlivers(const SurfaceMesh& mesh) {
 class HullPanels {
  public:
   HullPanels(const Hull& hull, const std::string& name)
-      : wet_(wetSurface(hull)),
-        name_(name),
-        symmetric_(hull.symmetric),
-        cutter_(wet_, 0),
-        area_(surfaceArea(wet_)) {}
+      : wet_(wetSurface(hull)), name_(name), symmetric_(hull.symmetric), area_(surfaceArea(wet_)) {}
 
   /// The division whose number of panels is nearest to the one wanted, of a few tries.
   SurfaceMesh about(int count) {
     const double wanted = symmetric_ ? count : 2.0 * count;
     double girthwise = std::sqrt(area_ / (wanted * kLeastRatio));
-    strands_ = sectionStrands(cutter_, 0.25 * girthwise);
+    cutter_.emplace(wet_, stationField(wet_, 4 * girthwise * girthwise));
+    strands_ = sectionStrands(*cutter_, 0.25 * girthwise);
     ratio_ = lengthPerGirth(girthwise);
     girthwise *= std::sqrt(kLeastRatio / ratio_);
     SurfaceMesh best;
@@ -91,9 +90,10 @@ class HullPanels {
     SurfaceMesh all;
     for (const SectionStrand& strand : strands_)
       all = joined(all,
-                   panelsOn(strand, cutter_,
+                   panelsOn(strand, *cutter_,
                             {girthwise, ratio_ * girthwise, 1 - 1.2 * ratio_ / kUppermostRatio}));
-    all = welded(all, 1e-6 * girthwise);
+    // An end that runs along calm water may be off by the roughness of the mesh.
+    all = welded(snapped(std::move(all), 2, 1e-4 * girthwise), 1e-6 * girthwise);
     return welded(withoutSlivers(withSplitWaterCorners(all)), 0.0);
   }
 
@@ -124,7 +124,7 @@ class HullPanels {
   SurfaceMesh wet_;
   std::string name_;
   bool symmetric_;
-  SectionCutter cutter_;
+  std::optional<SectionCutter> cutter_;
   double area_, ratio_ = kLeastRatio;
   std::vector<SectionStrand> strands_;
 };

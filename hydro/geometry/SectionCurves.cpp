@@ -135,11 +135,11 @@ std::vector<double> cornersOf(const SectionCurve& curve, double window, double a
   return corners;
 }
 
-SectionCutter::SectionCutter(const SurfaceMesh& mesh, int axis)
-    : mesh_(mesh), axis_(axis), slabs_(kSlabs) {
-  const Bounds box = bounds(mesh);
-  low_ = box.low[axis];
-  high_ = box.high[axis];
+SectionCutter::SectionCutter(const SurfaceMesh& mesh, std::vector<double> station)
+    : mesh_(mesh), station_(std::move(station)), slabs_(kSlabs) {
+  const auto [least, most] = std::minmax_element(station_.begin(), station_.end());
+  low_ = *least;
+  high_ = *most;
   slabWidth_ = std::max((high_ - low_) / kSlabs, 1e-300);
   for (const Face& f : mesh.faces) {
     triangles_.push_back({f[0], f[1], f[2]});
@@ -151,8 +151,8 @@ SectionCutter::SectionCutter(const SurfaceMesh& mesh, int axis)
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     double least = high_, most = low_;
     for (const int v : {triangles_[i].a, triangles_[i].b, triangles_[i].c}) {
-      least = std::min(least, mesh.vertices[static_cast<std::size_t>(v)][axis]);
-      most = std::max(most, mesh.vertices[static_cast<std::size_t>(v)][axis]);
+      least = std::min(least, station_[static_cast<std::size_t>(v)]);
+      most = std::max(most, station_[static_cast<std::size_t>(v)]);
     }
     if (least == most) continue;
     for (int k = slab(least); k <= slab(most); ++k)
@@ -161,7 +161,7 @@ SectionCutter::SectionCutter(const SurfaceMesh& mesh, int axis)
 }
 
 bool SectionCutter::isAbove(int vertex, double c, Side side) const {
-  const double x = mesh_.vertices[static_cast<std::size_t>(vertex)][axis_];
+  const double x = station_[static_cast<std::size_t>(vertex)];
   return side == Side::Above ? x > c : x >= c;
 }
 
@@ -197,9 +197,9 @@ std::vector<SectionCurve> SectionCutter::curvesAt(double c, Side side) const {
   for (const std::vector<CrossedEdge>& chain : SegmentChains(std::move(segments)).chains()) {
     std::vector<Vec3> points;
     for (const CrossedEdge e : chain) {
-      const Vec3 &a = mesh_.vertices[e >> 32], &b = mesh_.vertices[e & 0xffffffffu];
-      const double t = std::clamp((c - a[axis_]) / (b[axis_] - a[axis_]), 0.0, 1.0);
-      points.push_back(a + t * (b - a));
+      const std::size_t a = e >> 32, b = e & 0xffffffffu;
+      const double t = std::clamp((c - station_[a]) / (station_[b] - station_[a]), 0.0, 1.0);
+      points.push_back(mesh_.vertices[a] + t * (mesh_.vertices[b] - mesh_.vertices[a]));
     }
     const bool closed = chain.size() > 2 && chain.front() == chain.back();
     if (closed) beginAtTop(points);

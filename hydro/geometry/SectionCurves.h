@@ -3,7 +3,7 @@
 
 #include "hydro/geometry/SurfaceMesh.h"
 
-/// Plane sections of a surface; not installed.
+/// Sections of a surface; not installed.
 namespace cutwater {
 
 /// A polygonal line on a surface, measured by its own length.
@@ -29,18 +29,19 @@ CurveDistance distanceBetween(const SectionCurve& a, const SectionCurve& b);
 /// knuckles, and bends of so small a radius. None nearer than `window` to an end or to another.
 std::vector<double> cornersOf(const SectionCurve& curve, double window, double angle);
 
-/// Cuts one surface many times, across one axis.
+/// Cuts one surface many times, at stations: curves along which a number given at its vertices, and
+/// linear between them, is constant; with x it is a plane section.
 class SectionCutter {
  public:
-  /// @param mesh  vertices shared, normals out; must outlive this object.
-  /// @param axis  0, 1 or 2: the planes are r[axis] = const.
-  SectionCutter(const SurfaceMesh& mesh, int axis);
+  /// @param mesh     vertices shared, normals out; must outlive this object.
+  /// @param station  one number a vertex [m].
+  SectionCutter(const SurfaceMesh& mesh, std::vector<double> station);
   double low() const { return low_; }
   double high() const { return high_; }
-  /// Which side of the plane is cut where faces lie in it.
+  /// Which side of the station is cut where faces lie in it.
   enum class Side { Below, Above };
-  /// The curves in the plane r[axis] = c. They run along n × e_axis: for axis x down the port side, to
-  /// starboard along the bottom. A closed curve begins at its highest point. O(faces near the plane).
+  /// The curves at station c. They run down the port side, to starboard along the bottom. A closed
+  /// curve begins at its highest point. O(faces near the station).
   std::vector<SectionCurve> curvesAt(double c, Side side) const;
 
  private:
@@ -49,7 +50,7 @@ class SectionCutter {
   };
   bool isAbove(int vertex, double c, Side side) const;
   const SurfaceMesh& mesh_;
-  int axis_;
+  std::vector<double> station_;
   double low_ = 0.0, high_ = 0.0, slabWidth_ = 1.0;
   std::vector<Triangle> triangles_;
   std::vector<std::vector<int>> slabs_;  ///< triangles that reach into each slab

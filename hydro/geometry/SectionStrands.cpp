@@ -9,6 +9,8 @@ constexpr int kSamples = 160;  // to begin with
 constexpr double kNarrowest =
     2.5e-8;  // of the extent: two samples this close are not divided further
 
+constexpr double kThinnest = 1e-4;  // of the extent: a strand this short is the roughness of an end
+
 struct Sample {
   double place = 0.0;
   std::vector<SectionCurve> curves;
@@ -106,8 +108,9 @@ std::vector<SectionStrand> sectionStrands(const SectionCutter& cutter, double re
     }
     strandOf = std::move(here);
   }
+  const double extent = cutter.high() - cutter.low();
   std::erase_if(strands, [&](const SectionStrand& s) {
-    return s.place.size() < 2 ||
+    return s.place.size() < 2 || s.place.back() - s.place.front() < kThinnest * extent ||
            std::all_of(s.curves.begin(), s.curves.end(),
                        [&](const SectionCurve& c) { return c.length() <= reach / 3; });
   });
