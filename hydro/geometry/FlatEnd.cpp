@@ -12,6 +12,8 @@ constexpr double kLeastRow =
     0.3;  // of the panel size: outline vertices closer in height share a row
 constexpr double kBottomRow = 0.35;  // as near as this to the last row, the outline is that row
 
+constexpr double kNothing = 1e-3;  // of a panel's area
+
 class EndRows {
  public:
   EndRows(const std::vector<int>& outline, bool aft, double size, SurfaceMesh& mesh)
@@ -120,14 +122,14 @@ class EndRows {
 }  // namespace
 
 void addFlatEnd(const std::vector<int>& outline, bool aft, double size, SurfaceMesh& mesh) {
-  if (outline.size() < 3) return;
+  if (outline.size() < 2) return;
   const auto at = [&](int v) { return mesh.vertices[static_cast<std::size_t>(v)]; };
   Vec3 corner = at(outline.front());  // where calm water meets the centreline
   if (at(outline.back()).y() == 0.0) corner.y() = 0.0;
   Vec3 enclosed = Vec3::Zero();
   for (std::size_t i = 0; i + 1 < outline.size(); ++i)
     enclosed += 0.5 * (at(outline[i]) - corner).cross(at(outline[i + 1]) - corner);
-  if (std::abs(enclosed.x()) < 0.5 * size * size) return;
+  if (std::abs(enclosed.x()) < kNothing * size * size) return;
   EndRows(outline, aft, size, mesh).addRows();
 }
 

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kEndCrowding = 0.2;         // stations closer together at the ends
 constexpr double kKnuckle = 35 * kPi / 180;  // a turn of this much is an edge of panels
-constexpr double kPointlike = 0.6;  // an end section shorter than this part of a panel is a point
-constexpr double kKept = 20 * kPi / 180;  // and stays one on the next section down to this
+constexpr double kStem = 0.1;                // of a panel edge: a narrower stem is a line
+constexpr double kKept = 20 * kPi / 180;     // and stays one on the next section down to this
 
 class StrandPanels {
  public:
@@ -32,8 +32,9 @@ class StrandPanels {
     std::vector<PanelRow> rows;
     for (std::size_t k = 0; k < curves.size(); ++k) {
       const bool end = k == 0 || k + 1 == curves.size();
-      const bool point = end && curves[k].length() < kPointlike * size_.girthwise;
+      const bool point = end && isPoint(curves[k]);
       rows.push_back(point ? pointRow(curves[k]) : row(curves[k], measures[k], counts[k]));
+      if (end) closeWedge(rows.back().vertex);
     }
     for (std::size_t k = 0; k + 1 < rows.size(); ++k) addPanelsBetween(rows[k], rows[k + 1], mesh_);
     addFlatEnd(rows.front().vertex, true, size_.girthwise, mesh_);
@@ -162,6 +163,12 @@ class StrandPanels {
     return counts;
   }
 
+  /// So short that no panel ends in it; a loop may be longer, as its ends need not stay on calm water
+  /// or on the centreline.
+  bool isPoint(const SectionCurve& curve) const {
+    return curve.length() < (curve.closed ? 0.6 : 0.02) * size_.girthwise;
+  }
+
   PanelRow pointRow(const SectionCurve& curve) {
     return {{addVertex(curve.at(0.5 * curve.length()))}, {0}};
   }
@@ -172,6 +179,25 @@ class StrandPanels {
     for (const double m : division.place)
       row.vertex.push_back(addVertex(curve.at(measure.arcAt(m))));
     return row;
+  }
+
+  /// A stem a small part of a panel broad becomes a line: else it would need panels of its own.
+  void closeWedge(const std::vector<int>& row) {
+    const auto at = [&](std::size_t i) -> Vec3& {
+      return mesh_.vertices[static_cast<std::size_t>(row[i])];
+    };
+    const bool toCentreline = at(row.size() - 1).y() == 0.0;
+    double broadest = 0.0;
+    for (std::size_t i = 0; i < row.size(); ++i)
+      broadest = std::max(
+          broadest, toCentreline ? std::abs(at(i).y()) : (at(i) - at(row.size() - 1 - i)).norm());
+    if (broadest > kStem * size_.girthwise) return;
+    for (std::size_t i = 0; 2 * i < row.size() || (toCentreline && i < row.size()); ++i) {
+      if (toCentreline)
+        at(i).y() = 0.0;
+      else
+        at(i) = at(row.size() - 1 - i) = 0.5 * (at(i) + at(row.size() - 1 - i));
+    }
   }
 
   int addVertex(const Vec3& p) {
