@@ -92,8 +92,9 @@ class HullPanels {
       all = joined(all,
                    panelsOn(strand, *cutter_,
                             {girthwise, ratio_ * girthwise, 1 - 1.2 * ratio_ / kUppermostRatio}));
-    // An end that runs along calm water may be off by the roughness of the mesh.
-    all = welded(snapped(std::move(all), 2, 1e-4 * girthwise), 1e-6 * girthwise);
+    // An end that runs along calm water may be off by the roughness of the mesh, and the tip of a
+    // waterline lies a little above where the stem's section begins.
+    all = welded(snapped(std::move(all), 2, 0.02 * girthwise), 1e-6 * girthwise);
     return welded(withoutSlivers(withSplitWaterCorners(all)), 0.0);
   }
 

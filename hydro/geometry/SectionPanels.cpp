@@ -10,10 +10,9 @@
 namespace cutwater {
 namespace {
 
-constexpr double kEndCrowding = 0.2;         // stations closer together at the ends
-constexpr double kKnuckle = 35 * kPi / 180;  // a turn of this much is an edge of panels
-constexpr double kStem = 0.1;                // of a panel edge: a narrower stem is a line
-constexpr double kKept = 20 * kPi / 180;     // and stays one on the next section down to this
+constexpr double kEndCrowding = 0.2;      // stations closer together at the ends
+constexpr double kStem = 0.1;             // of a panel edge: a narrower stem is a line
+constexpr double kKept = 20 * kPi / 180;  // and stays one on the next section down to this
 
 class StrandPanels {
  public:
@@ -28,17 +27,18 @@ class StrandPanels {
     std::vector<BendMeasure> measures;
     for (std::size_t k = 0; k < curves.size(); ++k)
       measures.emplace_back(curves[k], corners[k], size_.girthwise);
-    const std::vector<double> counts = rowCounts(measures);
+    const std::vector<double> counts =
+        rowCounts(measures, enclosing(curves[curves.size() / 2]) ? 3.0 : 1.0);
     std::vector<PanelRow> rows;
     for (std::size_t k = 0; k < curves.size(); ++k) {
       const bool end = k == 0 || k + 1 == curves.size();
-      const bool point = end && isPoint(curves[k]);
-      rows.push_back(point ? pointRow(curves[k]) : row(curves[k], measures[k], counts[k]));
-      if (end) closeWedge(rows.back().vertex);
+      rows.push_back(
+          end ? endRow(curves[k], k == 0 ? strand_.start : strand_.end, measures[k], counts[k])
+              : row(curves[k], measures[k], counts[k]));
     }
     for (std::size_t k = 0; k + 1 < rows.size(); ++k) addPanelsBetween(rows[k], rows[k + 1], mesh_);
-    addFlatEnd(rows.front().vertex, true, size_.girthwise, mesh_);
-    addFlatEnd(rows.back().vertex, false, size_.girthwise, mesh_);
+    if (strand_.start.alone()) addFlatEnd(rows.front().vertex, true, size_.girthwise, mesh_);
+    if (strand_.end.alone()) addFlatEnd(rows.back().vertex, false, size_.girthwise, mesh_);
     return mesh_;
   }
 
@@ -75,8 +75,6 @@ class StrandPanels {
       }
       for (const double s : cornersOf(line, 0.4 * size_.lengthwise, kKnuckle)) found.push_back(s);
     }
-    for (std::size_t k = 1; k < moved_.size(); ++k)
-      if (startsOnWater(k - 1) != startsOnWater(k)) found.push_back(moved_[k]);
     std::sort(found.begin(), found.end());
     std::vector<double> apart;
     for (const double s : found)
@@ -85,8 +83,6 @@ class StrandPanels {
         apart.push_back(s);
     return apart;
   }
-  bool startsOnWater(std::size_t k) const { return strand_.curves[k].points.front().z() == 0.0; }
-
   std::vector<double> stationPlaces() const {
     const double count = std::max(1.0, moved_.back() / size_.lengthwise);
     const Crowding crowding{count > 6, count > 6, kEndCrowding};
@@ -129,30 +125,21 @@ class StrandPanels {
   /// chine is followed.
   std::vector<std::vector<double>> rowCorners(const std::vector<SectionCurve>& curves) const {
     std::vector<bool> sharp;
-    for (const SectionCurve& c : curves) sharp.push_back(!roomyCorners(c, kKnuckle).empty());
+    for (const SectionCurve& c : curves)
+      sharp.push_back(!roomyCorners(c, size_.girthwise, kKnuckle).empty());
     std::vector<std::vector<double>> corners;
     for (std::size_t k = 0; k < curves.size(); ++k) {
       const bool beside = (k > 0 && sharp[k - 1]) || (k + 1 < sharp.size() && sharp[k + 1]);
-      corners.push_back(roomyCorners(curves[k], beside ? kKept : kKnuckle));
+      corners.push_back(roomyCorners(curves[k], size_.girthwise, beside ? kKept : kKnuckle));
     }
     return corners;
   }
 
-  /// Corners with room for a panel on either side.
-  std::vector<double> roomyCorners(const SectionCurve& curve, double angle) const {
-    const double room = 0.35 * size_.girthwise;
-    std::vector<double> kept;
-    for (const double s : cornersOf(curve, 0.2 * size_.girthwise, angle))
-      if (s > room && s < curve.length() - room && (kept.empty() || s - kept.back() > room))
-        kept.push_back(s);
-    return kept;
-  }
-
   /// Parts of each row; the median of five, so that a girth near a limit does not flicker.
-  std::vector<double> rowCounts(const std::vector<BendMeasure>& measures) const {
+  std::vector<double> rowCounts(const std::vector<BendMeasure>& measures, double least) const {
     std::vector<double> raw, counts;
     for (const BendMeasure& m : measures)
-      raw.push_back(std::max(1.0, std::ceil(m.total() / size_.girthwise - 0.501)));
+      raw.push_back(std::max(least, std::ceil(m.total() / size_.girthwise - 0.501)));
     for (std::size_t k = 0; k < raw.size(); ++k) {
       const std::size_t reach = std::min({std::size_t{2}, k, raw.size() - 1 - k});
       std::vector<double> near(raw.begin() + static_cast<std::ptrdiff_t>(k - reach),
@@ -167,6 +154,26 @@ class StrandPanels {
   /// or on the centreline.
   bool isPoint(const SectionCurve& curve) const {
     return curve.length() < (curve.closed ? 0.6 : 0.02) * size_.girthwise;
+  }
+
+  /// A section both ends of which are in one place or on the centreline needs corners between.
+  static bool enclosing(const SectionCurve& curve) {
+    return curve.closed || (curve.points.front().y() == 0.0 && curve.points.back().y() == 0.0);
+  }
+
+  PanelRow endRow(const SectionCurve& curve, const StrandEnd& end, const BendMeasure& measure,
+                  double count) {
+    if (end.hosted) return rowOf(sectionRow(curve, size_));
+    if (!end.guests.empty()) return rowOf(hostRow(curve, end.guests, size_));
+    if (isPoint(curve)) return pointRow(curve);
+    PanelRow last = row(curve, measure, count);
+    closeWedge(last.vertex);
+    return last;
+  }
+  PanelRow rowOf(const SectionRow& row) {
+    PanelRow out{{}, row.breaks};
+    for (const Vec3& p : row.points) out.vertex.push_back(addVertex(p));
+    return out;
   }
 
   PanelRow pointRow(const SectionCurve& curve) {

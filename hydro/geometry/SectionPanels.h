@@ -1,14 +1,9 @@
 #pragma once
+#include "hydro/geometry/SectionRow.h"
 #include "hydro/geometry/SectionStrands.h"
 
 /// Panels on the strands of a wet hull; not installed.
 namespace cutwater {
-
-/// Mean lengths of panel edges [m] across and along the sections, and how much shorter than the mean
-/// those across are at calm water (Crowding::c).
-struct PanelSize {
-  double girthwise = 1.0, lengthwise = 1.0, waterCrowding = 0.0;
-};
 
 /// Panels on one strand, corners on its surface: stations closer together at the ends and at equal
 /// steps of how far the section moves, so that they follow a blunt bow; each section divided from

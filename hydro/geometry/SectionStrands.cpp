@@ -1,6 +1,9 @@
 #include "hydro/geometry/SectionStrands.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "hydro/geometry/SectionRow.h"
 
 namespace cutwater {
 namespace {
@@ -9,6 +12,7 @@ constexpr int kSamples = 160;  // to begin with
 constexpr double kNarrowest =
     2.5e-8;  // of the extent: two samples this close are not divided further
 
+constexpr double kApart = 1e-5;     // of the extent: strands this near go on from one another
 constexpr double kThinnest = 1e-4;  // of the extent: a strand this short is the roughness of an end
 
 struct Sample {
@@ -16,16 +20,20 @@ struct Sample {
   std::vector<SectionCurve> curves;
 };
 
+bool startsOnWater(const SectionCurve& curve) { return curve.points.front().z() == 0.0; }
+
 /// For each curve of `a` the one of `b` that continues it, or −1. Both ways nearest, within reach.
 std::vector<int> continuations(const Sample& a, const Sample& b, double reach) {
   const auto nearest = [&](const SectionCurve& curve, const std::vector<SectionCurve>& among) {
     int best = -1;
     double least = reach;
-    for (std::size_t i = 0; i < among.size(); ++i)
+    for (std::size_t i = 0; i < among.size(); ++i) {
+      if (startsOnWater(curve) != startsOnWater(among[i])) continue;
       if (const double d = distanceBetween(curve, among[i]).greatest; d <= least) {
         least = d;
         best = static_cast<int>(i);
       }
+    }
     return best;
   };
   std::vector<int> next;
@@ -84,6 +92,24 @@ class Sampler {
   std::vector<Sample> all_;
 };
 
+/// The section of a bow with a bulb is one curve, ahead of the stem only the bulb's: where one strand ends
+/// and another begins along a part of its section, the shorter is the longer's guest.
+void findGuests(std::vector<SectionStrand>& strands, double apart, double reach) {
+  for (SectionStrand& aft : strands)
+    for (SectionStrand& fore : strands) {
+      if (&aft == &fore || std::abs(fore.place.front() - aft.place.back()) > apart) continue;
+      const SectionCurve &a = aft.curves.back(), &f = fore.curves.front();
+      if (std::min(a.length(), f.length()) < reach / 3) continue;
+      if (a.length() >= f.length() && spanOn(a, f, reach).found()) {
+        aft.end.guests.push_back(f);
+        fore.start.hosted = true;
+      } else if (a.length() < f.length() && spanOn(f, a, reach).found()) {
+        fore.start.guests.push_back(a);
+        aft.end.hosted = true;
+      }
+    }
+}
+
 }  // namespace
 
 std::vector<SectionStrand> sectionStrands(const SectionCutter& cutter, double reach) {
@@ -114,6 +140,7 @@ std::vector<SectionStrand> sectionStrands(const SectionCutter& cutter, double re
            std::all_of(s.curves.begin(), s.curves.end(),
                        [&](const SectionCurve& c) { return c.length() <= reach / 3; });
   });
+  findGuests(strands, kApart * extent, reach);
   return strands;
 }
 
