@@ -166,6 +166,18 @@ std::vector<std::pair<Rim, bool>> closedChains(const SurfaceMesh& wet, std::vect
   return rims;
 }
 
+/// A slit ten times as long as a hole may be wide, near the centreplane.
+bool isKeel(const SurfaceMesh& wet, const Rim& rim, double widest) {
+  double first = 1e300, last = -1e300, off = 0.0;
+  for (const int v : rim) {
+    const Vec3& p = wet.vertices[static_cast<std::size_t>(v)];
+    first = std::min(first, p.x());
+    last = std::max(last, p.x());
+    off = std::max(off, std::abs(p.y()));
+  }
+  return last - first > 10 * widest && off < widest;
+}
+
 }  // namespace
 
 std::vector<FilledHole> fillHoles(SurfaceMesh& wet, double widest, const std::string& name) {
@@ -177,7 +189,7 @@ std::vector<FilledHole> fillHoles(SurfaceMesh& wet, double widest, const std::st
     if (rim.size() < 3) continue;
     double area = 0.0;
     FilledHole hole = RimFilling(wet, rim).fill(area);
-    hole.keel = keel;
+    hole.keel = keel || isKeel(wet, rim, widest);
     if (hole.width > widest) {
       char text[160];
       std::snprintf(

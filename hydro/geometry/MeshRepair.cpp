@@ -24,6 +24,11 @@ constexpr double kOff = 2e-4;            // of the size: how near a mirror image
 constexpr double kMayBeOff = 0.01;       // share of the vertices
 constexpr std::size_t kMirrored = 4000;  // vertices looked at
 
+/// "1 face", "2 faces"
+std::string counted(std::size_t n, const std::string& one, const std::string& many = {}) {
+  return fmt::format("{} {}", n, n == 1 ? one : many.empty() ? one + "s" : many);
+}
+
 class Repair {
  public:
   Repair(const SurfaceMesh& raw, std::string name, Symmetry symmetry)
@@ -50,11 +55,15 @@ class Repair {
   }
 
   void mergeVertices() {
-    const std::size_t vertices = mesh_.vertices.size(), faces = mesh_.faces.size();
+    const std::size_t faces = mesh_.faces.size();
     size_ = bounds(mesh_).diagonal();
+    mesh_ = welded(mesh_, 0.0);
+    const std::size_t vertices = mesh_.vertices.size();
     mesh_ = welded(snapped(std::move(mesh_), 2, kWeld * size_), kWeld * size_);
     if (mesh_.vertices.size() < vertices)
-      say(fmt::format("merged {} vertices that stood for {}", mesh_.vertices.size(), vertices));
+      say(fmt::format("merged {} with others less than {:.2g} m away",
+                      counted(vertices - mesh_.vertices.size(), "vertex", "vertices"),
+                      kWeld * size_));
     const std::size_t before = mesh_.faces.size();
     mesh_ = withoutDoubles(mesh_);
     const std::size_t doubles = before - mesh_.faces.size();
@@ -66,8 +75,8 @@ class Repair {
     const std::size_t triangles = corners(mesh_);
     mesh_ = triangulated(mesh_);
     const std::size_t empty = faces - before + triangles - mesh_.faces.size();
-    if (empty > 0) say(fmt::format("left out {} faces without area", empty));
-    if (doubles > 0) say(fmt::format("left out {} double faces", doubles));
+    if (empty > 0) say(fmt::format("left out {} without area", counted(empty, "face")));
+    if (doubles > 0) say(fmt::format("left out {}", counted(doubles, "double face")));
     if (mesh_.faces.empty()) throw HydroError(Fault::MeshEmpty, name_ + ": no face has an area");
   }
 
@@ -126,7 +135,7 @@ class Repair {
     }
     inside.report(*this, "inside the hull (decks, bulkheads, inner shells)");
     plates.report(*this, "of plates that the water touches on both sides");
-    if (turned > 0) say(fmt::format("turned {} faces outwards", turned));
+    if (turned > 0) say(fmt::format("turned {} outwards", counted(turned, "face")));
     if (kept.faces.empty())
       throw HydroError(Fault::HullNotClosed,
                        name_ + ": no face below water has an inside; the hull is open, at " +
@@ -145,8 +154,8 @@ class Repair {
     }
     void report(Repair& repair, const std::string& what) const {
       if (faces > 0)
-        repair.say(fmt::format("left out {} faces in {} pieces {}, the first at {}", faces, patches,
-                               what, placeText(repair.placeOf(first))));
+        repair.say(fmt::format("left out {} in {} {}, the first at {}", counted(faces, "face"),
+                               counted(patches, "piece"), what, placeText(repair.placeOf(first))));
     }
   };
 
@@ -173,8 +182,8 @@ class Repair {
       if (hole.width >= largest.width) largest = hole;
     }
     if (count > 0)
-      say(fmt::format("closed {} holes, the widest of {:.3g} m at {}", count, largest.width,
-                      placeText(largest.place)));
+      say(fmt::format("closed {}, the widest of {:.3g} m at {}", counted(count, "hole"),
+                      largest.width, placeText(largest.place)));
   }
 
   void check() const {
