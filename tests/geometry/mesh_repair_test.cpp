@@ -95,7 +95,7 @@ TEST(MeshRepair, ABulkheadWeldedToTheShellIsLeftOut) {
 }
 
 TEST(MeshRepair, SmallHolesAreClosed) {
-  const RepairedHull repaired = expectSound(test::withHoles(frigateSoup(), kLeaks, 1.2));
+  const RepairedHull repaired = expectSound(test::withHoles(frigateSoup(), kLeaks, 1.3));
   EXPECT_TRUE(said(repaired, "closed 3 holes"));
 }
 

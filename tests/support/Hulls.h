@@ -11,7 +11,7 @@ namespace cutwater::test {
 /// A finely divided hull and the panels that its formula or table gives.
 struct TestHull {
   std::string name;
-  Hull hull;
+  cutwater::Hull hull;
   std::function<SurfaceMesh(int panels)> structured;  ///< port half; 224, 433 or 1040 panels
 };
 
