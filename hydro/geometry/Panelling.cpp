@@ -19,7 +19,7 @@ namespace {
 // narrower that its panels are 2.4 times as long as deep amidships.
 
 constexpr double kLeastRatio = 1.2, kMostRatio = 1.6, kEnoughRows = 10.0, kUppermostRatio = 2.4;
-constexpr int kTries = 8;              // to meet the count
+constexpr int kTries = 12;             // to meet the count
 constexpr double kCloseEnough = 0.01;  // of the count
 
 /// A quadrilateral with three corners on calm water would be flattened into the waterplane; of its
@@ -71,7 +71,7 @@ class HullPanels {
     ratio_ = lengthPerGirth(girthwise);
     girthwise *= std::sqrt(kLeastRatio / ratio_);
     SurfaceMesh best;
-    double least = 1e300;
+    double least = 1e300, few = 0.0, many = 0.0;  // sizes that gave too few panels, and too many
     for (int i = 0; i < kTries && least > kCloseEnough; ++i) {
       SurfaceMesh now = with(girthwise);
       const double ratio = static_cast<double>(now.faces.size()) / wanted;
@@ -79,7 +79,9 @@ class HullPanels {
         least = std::abs(ratio - 1);
         best = std::move(now);
       }
-      girthwise *= std::pow(std::max(ratio, 0.1), 0.45);
+      (ratio < 1 ? few : many) = girthwise;
+      girthwise = few > 0 && many > 0 ? std::sqrt(few * many)
+                                      : girthwise * std::pow(std::max(ratio, 0.1), 0.5);
     }
     checkClosed(best);
     return best;

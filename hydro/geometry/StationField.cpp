@@ -7,7 +7,7 @@ namespace cutwater {
 namespace {
 
 constexpr double kFacing = 0.5;                          // |n_x| of an end
-constexpr double kSideways = 0.3;                        // |n_y| of an end at most
+constexpr double kAcross = 0.3;                          // |n_y| of an end at most
 constexpr double kAlike = 0.9986;                        // cos 3°
 constexpr double kRough = 2e-4;                          // of the size
 constexpr double kLeastBlend = 0.15, kMostBlend = 0.45;  // of the length
@@ -26,7 +26,7 @@ class EndFinder {
       : wet_(wet), rough_(kRough * bounds(wet).diagonal()) {
     for (const Face& f : wet.faces) {
       const Vec3 n = vectorArea(wet, f);
-      if (side * n.x() < kFacing * n.norm() || std::abs(n.y()) > kSideways * n.norm()) continue;
+      if (side * n.x() < kFacing * n.norm() || std::abs(n.y()) > kAcross * n.norm()) continue;
       faces_.push_back(&f);
       area_.push_back((area_.empty() ? 0.0 : area_.back()) + n.norm());
     }
