@@ -6,28 +6,23 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
+#include "hydro/geometry/CrackClosing.h"
 #include "hydro/geometry/HoleFilling.h"
 #include "hydro/geometry/HullShells.h"
 #include "hydro/geometry/MeshCut.h"
 #include "hydro/geometry/MeshIntegrals.h"
-#include "hydro/geometry/OutsideView.h"
+#include "hydro/geometry/OutsideShell.h"
+#include "hydro/geometry/SurfacePatches.h"
+#include "hydro/geometry/SurfaceTree.h"
 
 namespace cutwater {
 namespace {
 
 constexpr double kWeld = 1e-5;           // of the size: 1 mm on a ship of 100 m
 constexpr double kWidestHole = 0.02;     // of the length
-constexpr double kSeen = 0.05;           // share of rays: less comes through holes
-constexpr double kPlate = 0.3;           // a side seen this much of the other is no inside
-constexpr double kHidden = 0.03;         // of a patch's area that may be hidden in folds
 constexpr double kOff = 2e-4;            // of the size: how near a mirror image must lie
 constexpr double kMayBeOff = 0.01;       // share of the vertices
 constexpr std::size_t kMirrored = 4000;  // vertices looked at
-
-/// "1 face", "2 faces"
-std::string counted(std::size_t n, const std::string& one, const std::string& many = {}) {
-  return fmt::format("{} {}", n, n == 1 ? one : many.empty() ? one + "s" : many);
-}
 
 class Repair {
  public:
@@ -42,17 +37,17 @@ class Repair {
     const SurfaceMesh dry = cutAbove(mesh_);
     wet_ = cutBelow(mesh_);
     mesh_ = {};
-    chooseOutside();
+    OutsideShell outside = outsideShell(wet_, name_);
+    wet_ = withoutCracks(outside.mesh, 0.1 * kWeld * size_, outside.mesh.faces.size());
+    done_.insert(done_.end(), outside.done.begin(), outside.done.end());
     closeHoles();
+    if (firstOpen() >= 0) wet_ = agreeing(std::move(wet_), name_);
     check();
     return finished(dry);
   }
 
  private:
   void say(std::string line) { done_.push_back(std::move(line)); }
-  const Vec3& placeOf(int face) const {
-    return wet_.corner(wet_.faces[static_cast<std::size_t>(face)], 0);
-  }
 
   void mergeVertices() {
     const std::size_t faces = mesh_.faces.size();
@@ -107,67 +102,6 @@ class Repair {
     return open > 0.3 * (box.high.x() - box.low.x());
   }
 
-  /// Keeps the patches that the water touches, their normals towards it.
-  void chooseOutside() {
-    const OutsideView view(wet_);
-    SurfaceMesh kept{wet_.vertices, {}};
-    std::size_t turned = 0;
-    Left inside, plates;
-    for (const SurfacePatch& patch : surfacePatches(wet_, name_)) {
-      const OutsideView::PatchView seen = view.of(patch);
-      const double most = std::max(seen.shares.normal, seen.shares.other);
-      const double least = std::min(seen.shares.normal, seen.shares.other);
-      if (most < kSeen) {
-        inside.add(patch);
-      } else if (least > kPlate * most) {
-        plates.add(patch);
-      } else {
-        refuseCrossing(seen);
-        const bool back = seen.shares.other > seen.shares.normal;
-        for (std::size_t i = 0; i < patch.faces.size(); ++i) {
-          Face f = wet_.faces[static_cast<std::size_t>(patch.faces[i])];
-          const bool turn = patch.turned[i] != back;
-          if (turn) std::reverse(f.v.begin(), f.v.begin() + f.size());
-          turned += turn ? 1 : 0;
-          kept.faces.push_back(f);
-        }
-      }
-    }
-    inside.report(*this, "inside the hull (decks, bulkheads, inner shells)");
-    plates.report(*this, "of plates that the water touches on both sides");
-    if (turned > 0) say(fmt::format("turned {} outwards", counted(turned, "face")));
-    if (kept.faces.empty())
-      throw HydroError(Fault::HullNotClosed,
-                       name_ + ": no face below water has an inside; the hull is open, at " +
-                           placeText(placeOf(0)));
-    wet_ = welded(kept, 0.0);
-  }
-
-  /// Patches that were left out.
-  struct Left {
-    std::size_t faces = 0, patches = 0;
-    int first = -1;
-    void add(const SurfacePatch& patch) {
-      faces += patch.faces.size();
-      ++patches;
-      if (first < 0) first = patch.faces[0];
-    }
-    void report(Repair& repair, const std::string& what) const {
-      if (faces > 0)
-        repair.say(fmt::format("left out {} in {} {}, the first at {}", counted(faces, "face"),
-                               counted(patches, "piece"), what, placeText(repair.placeOf(first))));
-    }
-  };
-
-  void refuseCrossing(const OutsideView::PatchView& seen) const {
-    if (seen.hiddenArea <= kHidden) return;
-    throw HydroError(
-        Fault::HullNotClosed,
-        fmt::format("{}: {:.0f} % of a shell lies inside another below water, first at {}; "
-                    "join shells that pass through one another",
-                    name_, 100 * seen.hiddenArea, placeText(placeOf(seen.hiddenFace))));
-  }
-
   void closeHoles() {
     const Bounds box = bounds(wet_);
     const double widest = kWidestHole * (box.high.x() - box.low.x());
@@ -186,14 +120,22 @@ class Repair {
                       largest.width, placeText(largest.place)));
   }
 
+  /// A vertex at an open edge other than on calm water, or −1.
+  int firstOpen() const {
+    const auto onWater = [&](int v) {
+      return wet_.vertices[static_cast<std::size_t>(v)].z() == 0.0;
+    };
+    for (const OpenEdge& e : openEdges(wet_))
+      if (!onWater(e.from) || !onWater(e.to)) return e.from;
+    return -1;
+  }
+
   void check() const {
-    for (const OpenEdge& e : openEdges(wet_)) {
-      const Vec3 &p = wet_.vertices[static_cast<std::size_t>(e.from)],
-                 &q = wet_.vertices[static_cast<std::size_t>(e.to)];
-      if (p.z() == 0.0 && q.z() == 0.0) continue;
-      throw HydroError(Fault::HullNotClosed, name_ + ": hull is not closed below water at " +
-                                                 placeText(p) + " after repair");
-    }
+    if (const int open = firstOpen(); open >= 0)
+      throw HydroError(Fault::HullNotClosed,
+                       name_ + ": hull cannot be closed below water at " +
+                           placeText(wet_.vertices[static_cast<std::size_t>(open)]) +
+                           ", where shells meet");
     if (!(waterplaneIntegrals(wet_).area > 0))
       throw HydroError(Fault::HullNotInWater, name_ + ": hull has no waterplane at z = 0");
   }

@@ -6,14 +6,15 @@
 namespace cutwater {
 namespace {
 
-constexpr int kRays = 48;            // over the whole sphere
-constexpr int kSideways = 8;         // rays along calm water
-constexpr std::size_t kFaces = 200;  // looked at in one patch
-constexpr double kGrazing = 0.1;     // a ray nearer to the face's plane says little
+constexpr int kRays = 48, kManyRays = 400;  // over the whole sphere
+constexpr std::size_t kFew = 8;             // faces of a patch for which many rays are asked
+constexpr int kSideways = 8;                // rays along calm water
+constexpr std::size_t kFaces = 200;         // looked at in one patch
+constexpr double kGrazing = 0.1;            // a ray nearer to the face's plane says little
 
 /// Directions spread evenly over the sphere, by the golden angle.
-Vec3 direction(int i) {
-  const double z = 1 - (2 * i + 1.0) / kRays, r = std::sqrt(1 - z * z);
+Vec3 direction(int i, int rays) {
+  const double z = 1 - (2 * i + 1.0) / rays, r = std::sqrt(1 - z * z);
   const double angle = i * kPi * (3 - std::sqrt(5.0));
   return {r * std::cos(angle), r * std::sin(angle), z};
 }
@@ -37,25 +38,26 @@ double OutsideView::seen(const Vec3& from, const Vec3& direction, int face) cons
   return free;
 }
 
-double OutsideView::share(const Vec3& from, const Vec3& normal, int face) const {
+double OutsideView::share(const Vec3& from, const Vec3& normal, int face, int rays) const {
   double sum = 0.0;
-  int rays = 0;
-  for (int i = 0; i < kRays; ++i) {
-    const Vec3 d = direction(i);
+  int asked = 0;
+  for (int i = 0; i < rays; ++i) {
+    const Vec3 d = direction(i, rays);
     if (normal.dot(d) < kGrazing) continue;
     sum += seen(from, d, face);
-    ++rays;
+    ++asked;
   }
-  return sum / std::max(1, rays);
+  return sum / std::max(1, asked);
 }
 
-OutsideView::Shares OutsideView::of(int face) const {
+OutsideView::Shares OutsideView::of(int face, int rays) const {
   const Face& f = wet_.faces[static_cast<std::size_t>(face)];
   Vec3 centre = Vec3::Zero();
   for (int i = 0; i < f.size(); ++i) centre += wet_.corner(f, i) / f.size();
   const Vec3 normal = vectorArea(wet_, f).normalized();
   const double off = 1e-7 * reach_;
-  return {share(centre + off * normal, normal, face), share(centre - off * normal, -normal, face)};
+  return {share(centre + off * normal, normal, face, rays),
+          share(centre - off * normal, -normal, face, rays)};
 }
 
 OutsideView::PatchView OutsideView::of(const SurfacePatch& patch) const {
@@ -64,13 +66,14 @@ OutsideView::PatchView OutsideView::of(const SurfacePatch& patch) const {
   for (const int f : patch.faces)
     area.push_back(area.back() + vectorArea(wet_, wet_.faces[static_cast<std::size_t>(f)]).norm());
   const std::size_t count = std::min(kFaces, patch.faces.size());
+  const int rays = patch.faces.size() <= kFew ? kManyRays : kRays;
   PatchView view;
   for (std::size_t i = 0; i < count; ++i) {
     const double target = area.back() * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
     const auto k = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
         std::lower_bound(area.begin(), area.end(), target) - area.begin() - 1, 0,
         std::ssize(patch.faces) - 1));
-    Shares one = of(patch.faces[k]);
+    Shares one = of(patch.faces[k], rays);
     if (patch.turned[k]) std::swap(one.normal, one.other);
     view.shares.normal += one.normal / static_cast<double>(count);
     view.shares.other += one.other / static_cast<double>(count);

@@ -17,7 +17,8 @@ class OutsideView {
   struct Shares {
     double normal = 0.0, other = 0.0;
   };
-  Shares of(int face) const;
+  /// @param rays  over the whole sphere.
+  Shares of(int face, int rays) const;
 
   /// A patch's mean over some of its faces, weighted by area, and a face that neither side of which
   /// is seen.
@@ -26,10 +27,11 @@ class OutsideView {
     double hiddenArea = 0.0;  ///< share of the area that is not seen from either side
     int hiddenFace = -1;      ///< the first such face
   };
+  /// Of a patch of few faces more rays are asked, as it may lie deep in a narrow corner.
   PatchView of(const SurfacePatch& patch) const;
 
  private:
-  double share(const Vec3& from, const Vec3& normal, int face) const;
+  double share(const Vec3& from, const Vec3& normal, int face, int rays) const;
   double seen(const Vec3& from, const Vec3& direction, int face) const;
   const SurfaceMesh& wet_;
   SurfaceTree tree_;

@@ -18,12 +18,13 @@ struct Crossing {
 /// For each face its crossings, one after the other, and where they begin.
 class Adjacency {
  public:
-  explicit Adjacency(const SurfaceMesh& mesh) : start_(mesh.faces.size() + 1, 0) {
+  Adjacency(const SurfaceMesh& mesh, int firstCut) : start_(mesh.faces.size() + 1, 0) {
     const std::vector<EdgeUse> uses = edgeUses(mesh);
     for (std::size_t i = 0, next = 0; i < uses.size(); i = next) {
       next = i + 1;
       while (next < uses.size() && uses[next].edge == uses[i].edge) ++next;
-      if (next - i != 2) continue;
+      // The lower vertex stands in the upper half.
+      if (next - i != 2 || static_cast<int>(uses[i].edge >> 32) >= firstCut) continue;
       const EdgeUse &a = uses[i], &b = uses[i + 1];
       crossings_.push_back({a.face, b.face, a.rising != b.rising});
       crossings_.push_back({b.face, a.face, a.rising != b.rising});
@@ -46,8 +47,9 @@ class Adjacency {
 
 }  // namespace
 
-std::vector<SurfacePatch> surfacePatches(const SurfaceMesh& mesh, const std::string& name) {
-  const Adjacency adjacency(mesh);
+std::vector<SurfacePatch> surfacePatches(const SurfaceMesh& mesh, const std::string& name,
+                                         int firstCut) {
+  const Adjacency adjacency(mesh, firstCut);
   std::vector<int> sense(mesh.faces.size(), 0);
   std::vector<SurfacePatch> patches;
   for (int first = 0; first < static_cast<int>(mesh.faces.size()); ++first) {
@@ -77,6 +79,21 @@ std::vector<SurfacePatch> surfacePatches(const SurfaceMesh& mesh, const std::str
     patches.push_back(std::move(patch));
   }
   return patches;
+}
+
+SurfaceMesh agreeing(SurfaceMesh mesh, const std::string& name) {
+  for (const SurfacePatch& patch : surfacePatches(mesh, name)) {
+    const auto face = [&](std::size_t i) -> Face& {
+      return mesh.faces[static_cast<std::size_t>(patch.faces[i])];
+    };
+    double asIs = 0.0;
+    for (std::size_t i = 0; i < patch.faces.size(); ++i)
+      asIs += (patch.turned[i] ? -1.0 : 1.0) * vectorArea(mesh, face(i)).norm();
+    for (std::size_t i = 0; i < patch.faces.size(); ++i)
+      if (patch.turned[i] == (asIs > 0))
+        std::reverse(face(i).v.begin(), face(i).v.begin() + face(i).size());
+  }
+  return mesh;
 }
 
 }  // namespace cutwater

@@ -126,4 +126,29 @@ double SurfaceTree::distance(const Vec3& point) const {
   return std::sqrt(least);
 }
 
+std::vector<int> SurfaceTree::near(const Vec3& low, const Vec3& high) const {
+  const auto apart = [&](const Vec3& l, const Vec3& h) {
+    return (l - high).maxCoeff() > 0 || (low - h).maxCoeff() > 0;
+  };
+  std::vector<int> found, open{0};
+  while (!open.empty() && !nodes_.empty()) {
+    const int index = open.back();
+    open.pop_back();
+    const Node& node = nodes_[static_cast<std::size_t>(index)];
+    if (apart(node.low, node.high)) continue;
+    if (node.count == 0) {
+      open.push_back(node.right);
+      open.push_back(index + 1);
+    }
+    for (int i = node.first; i < node.first + node.count; ++i) {
+      const Triangle& t = triangles_[static_cast<std::size_t>(i)];
+      if (!apart(t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)))
+        found.push_back(t.face);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
 }  // namespace cutwater
