@@ -19,7 +19,8 @@ namespace {
 // narrower that its panels are 2.4 times as long as deep amidships.
 
 constexpr double kLeastRatio = 1.2, kMostRatio = 1.6, kEnoughRows = 10.0, kUppermostRatio = 2.4;
-constexpr int kTries = 12;             // to meet the count
+constexpr int kTries = 12;  // to meet the count
+constexpr double kMostExcess = 0.02;
 constexpr double kCloseEnough = 0.01;  // of the count
 
 /// A quadrilateral with three corners on calm water would be flattened into the waterplane; of its
@@ -84,6 +85,7 @@ class HullPanels {
                                       : girthwise * std::pow(std::max(ratio, 0.1), 0.5);
     }
     checkClosed(best);
+    checkFollowed(best);
     return best;
   }
 
@@ -96,7 +98,7 @@ class HullPanels {
                             {girthwise, ratio_ * girthwise, 1 - 1.2 * ratio_ / kUppermostRatio}));
     // An end that runs along calm water may be off by the roughness of the mesh, and the tip of a
     // waterline lies a little above where the stem's section begins.
-    all = welded(snapped(std::move(all), 2, 0.02 * girthwise), 1e-6 * girthwise);
+    all = welded(snapped(std::move(all), 2, 0.02 * girthwise), 1e-3 * girthwise);
     return welded(withoutSlivers(withSplitWaterCorners(all)), 0.0);
   }
 
@@ -122,6 +124,17 @@ class HullPanels {
                        name_ + ": the sections of the hull split or jump at " + placeText(p) +
                            ", where no panels can be laid; use panels = \"as-is\"");
     }
+  }
+
+  /// Inscribed panels have less area than the hull; where rows cross, they have more.
+  void checkFollowed(const SurfaceMesh& panels) const {
+    const double excess = surfaceArea(panels) / area_ - 1;
+    if (excess <= kMostExcess) return;
+    throw HydroError(
+        Fault::HullNotClosed,
+        name_ + ": panels would have " + std::to_string(std::lround(100 * excess)) +
+            " % more area than the hull, whose sections cannot be followed (appendages?); "
+            "use panels = \"as-is\"");
   }
 
   SurfaceMesh wet_;

@@ -60,20 +60,28 @@ SectionRow sectionRow(const SectionCurve& curve, const PanelSize& size) {
   return row;
 }
 
-CurveSpan spanOn(const SectionCurve& curve, const SectionCurve& part, double reach) {
-  constexpr int kSteps = 200;
-  const auto nearest = [&](const Vec3& p, bool first) {
-    double best = -1.0, least = reach;
-    for (int i = 0; i <= kSteps; ++i) {
-      const double s = curve.length() * (first ? i : kSteps - i) / kSteps;
-      if (const double d = (curve.at(s) - p).norm(); d < least) {
-        least = d;
-        best = s;
-      }
+namespace {
+
+/// Length along a curve of the point nearest to p, the first such or the last; −1 beyond reach.
+double nearestOn(const SectionCurve& curve, const Vec3& p, double reach, bool first) {
+  double best = -1.0, least = reach;
+  for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
+    const Vec3 step = curve.points[i + 1] - curve.points[i];
+    const double t = std::clamp((p - curve.points[i]).dot(step) / step.squaredNorm(), 0.0, 1.0);
+    const double d = (curve.points[i] + t * step - p).norm();
+    if (first ? d < least : d <= least) {
+      least = d;
+      best = curve.arc[i] + t * step.norm();
     }
-    return best;
-  };
-  const CurveSpan span{nearest(part.points.front(), true), nearest(part.points.back(), false)};
+  }
+  return best;
+}
+
+}  // namespace
+
+CurveSpan spanOn(const SectionCurve& curve, const SectionCurve& part, double reach) {
+  const CurveSpan span{nearestOn(curve, part.points.front(), reach, true),
+                       nearestOn(curve, part.points.back(), reach, false)};
   if (span.from < 0 || span.to < 0 || std::abs(span.to - span.from - part.length()) > reach)
     return {};
   return span;
