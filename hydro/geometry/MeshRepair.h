@@ -17,6 +17,7 @@ struct RepairedHull {
 /// - merges vertices closer than 1e-5 of the size, and leaves out faces without area and doubles;
 /// - turns faces to agree with their neighbours and outwards, outside being where the water can be
 ///   seen (OutsideView.h);
+/// - joins shells that pass through one another, such as a bulb put through a bow;
 /// - leaves out what is inside: decks, bulkheads, tanks, inner shells; and plates that are seen from
 ///   both sides, such as bilge keels of no thickness;
 /// - mirrors a half hull, and closes the keel line where two halves do not meet;
@@ -26,7 +27,7 @@ struct RepairedHull {
 /// on the hull within 2e-4 of the size (a hundredth of them may be off).
 /// @param name  of the file, for messages.
 /// @throws HydroError, one line with name, place and value: as makeHull; HullNotClosed for a wider
-///   hole, and for shells that pass through one another below water.
+///   hole, and where shells cannot be joined.
 RepairedHull repairedHull(const SurfaceMesh& raw, const std::string& name, Symmetry symmetry);
 
 }  // namespace cutwater
