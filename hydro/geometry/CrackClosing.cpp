@@ -77,7 +77,8 @@ SurfaceMesh withoutFolds(const SurfaceMesh& mesh) {
     return (f[0] < f[1]) == ((f[1] < f[2]) == (f[0] < f[2]));
   };
   std::vector<bool> kept(mesh.faces.size(), true);
-  for (const auto& [corners, same] : faces) {
+  for (const auto& entry : faces) {
+    const std::vector<std::size_t>& same = entry.second;
     for (std::size_t i = 1; i < same.size(); ++i) kept[same[i]] = false;
     if (std::any_of(same.begin(), same.end(),
                     [&](std::size_t k) { return isEven(k) != isEven(same[0]); }))

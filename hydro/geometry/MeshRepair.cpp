@@ -60,16 +60,13 @@ class Repair {
                       counted(vertices - mesh_.vertices.size(), "vertex", "vertices"),
                       kWeld * size_));
     const std::size_t before = mesh_.faces.size();
-    mesh_ = withoutDoubles(mesh_);
-    const std::size_t doubles = before - mesh_.faces.size();
-    const auto corners = [](const SurfaceMesh& mesh) {
-      std::size_t triangles = 0;
-      for (const Face& f : mesh.faces) triangles += static_cast<std::size_t>(f.size() - 2);
-      return triangles;
-    };
-    const std::size_t triangles = corners(mesh_);
+    std::size_t triangles = 0;
+    for (const Face& f : mesh_.faces) triangles += static_cast<std::size_t>(f.size() - 2);
     mesh_ = triangulated(mesh_);
     const std::size_t empty = faces - before + triangles - mesh_.faces.size();
+    const std::size_t withDoubles = mesh_.faces.size();
+    mesh_ = withoutDoubles(mesh_);
+    const std::size_t doubles = withDoubles - mesh_.faces.size();
     if (empty > 0) say(fmt::format("left out {} without area", counted(empty, "face")));
     if (doubles > 0) say(fmt::format("left out {}", counted(doubles, "double face")));
     if (mesh_.faces.empty()) throw HydroError(Fault::MeshEmpty, name_ + ": no face has an area");

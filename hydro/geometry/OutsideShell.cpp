@@ -15,7 +15,7 @@
 namespace cutwater {
 namespace {
 
-constexpr double kSeen = 0.05;  // share of rays: less comes through holes
+constexpr double kSeen = 0.1;  // share of rays: less comes through holes
 constexpr double kSeenCorner =
     0.003;                         // of a small patch, which may lie in a narrow corner: one ray
 constexpr std::size_t kSmall = 8;  // faces

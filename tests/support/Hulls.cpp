@@ -166,6 +166,7 @@ SurfaceMesh withDoubles(SurfaceMesh mesh) {
   const std::size_t faces = mesh.faces.size();
   for (std::size_t i = 0; i < faces; i += 4) {
     const Face f = mesh.faces[i];
+    if (f.size() == 4) continue;
     mesh.faces.push_back({{f[1], f[2], f[0], -1}});
     mesh.faces.push_back({{f[0], f[1], f[0], -1}});
     mesh.vertices.emplace_back(0.5 * (mesh.corner(f, 0) + mesh.corner(f, 1)));
