@@ -1,12 +1,14 @@
-// The hull files under meshes/, made from their formulas: `make_meshes FOLDER` writes them anew.
-// Their wet faces are the solver's panels (panels = "as-is"); the whole is closed, for buoyancy and
+// The hull files under meshes/, made from their formulas, S-175's from its offsets in that folder:
+// `make_meshes FOLDER` writes them anew. Their wet faces are the solver's panels (panels = "as-is"); the whole is closed, for buoyancy and
 // collision.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 
 #include "hydro/Errors.h"
 #include "hydro/geometry/Hydrostatics.h"
+#include "hydro/geometry/Loft.h"
 #include "hydro/geometry/MeshCut.h"
 #include "hydro/geometry/MeshIO.h"
 #include "hydro/geometry/Shapes.h"
@@ -36,6 +38,18 @@ SurfaceMesh sphereOfEqualVolume(double radius, int around, int down) {
   return mesh;
 }
 
+/// The table of offsets beside the mesh: x aft of midships, half breadth, height above the baseline.
+std::vector<Vec3> offsets(const fs::path& file, double draught) {
+  std::ifstream in(file);
+  std::vector<Vec3> points;
+  double x = 0.0, y = 0.0, z = 0.0;
+  for (std::string line; std::getline(in, line);)
+    if (std::sscanf(line.c_str(), "%lf,%lf,%lf", &x, &y, &z) == 3)
+      points.emplace_back(-x, y, z - draught);
+  if (points.empty()) throw HydroError(Fault::FileNotReadable, file.string() + ": no offsets");
+  return points;
+}
+
 void writeAll(const fs::path& root) {
   for (int panels : {224, 433, 1040}) {
     const FrigateDivision d = frigateDivision(panels);
@@ -56,6 +70,9 @@ void writeAll(const fs::path& root) {
         "Barge 60 x 16 x 4 m, 196 panels a side");
   write(root, "sphere_oes/sphere_432.obj", sphereOfEqualVolume(5.0, 27, 16),
         "Sphere of radius 5 m, half immersed, 432 panels a side, panelled volume exact");
+  write(root, "s175/s175.obj", LoftedHull(offsets(root / "s175/offsets.csv", 9.5)).closed(120, 24),
+        "S-175 container ship, lofted through offsets.csv, draught 9.5 m; to be panelled (panels = "
+        "N)");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "hydro/Errors.h"
 #include "hydro/database/Coefficients.h"
+#include "hydro/geometry/MeshIO.h"
 
 /// The subcommands of `cutwater`, one file each. Every one throws HydroError with the line to
 /// print; `out` is the file to write, or empty for stdout.
@@ -18,6 +19,9 @@ class UsageError : public HydroError {
 };
 
 void hydrostatics(const std::string& ship, const std::string& out);
+/// Panels for `hull`, a mesh (read with `options`) or a SHIP.toml, written as OBJ in hull axes.
+void panel(const std::string& hull, int count, const MeshReadOptions& options,
+           const std::string& out);
 void solve(const std::string& ship, const std::string& database, int threads);
 void info(const std::string& database, const std::string& out);
 

@@ -7,40 +7,15 @@
 #include <filesystem>
 
 #include "demos/cutwater/Commands.h"
+#include "demos/cutwater/HullFile.h"
 #include "demos/cutwater/Toml.h"
 #include "hydro/Errors.h"
-#include "hydro/geometry/MeshIO.h"
 
 namespace cutwater::command {
 
 namespace {
 
 constexpr double kDegree = kPi / 180.0;
-const std::vector<std::string> kAxes{"x", "-x", "y", "-y", "z", "-z"};
-
-Hull readHullSection(TomlFile& file, TomlSection hull) {
-  if (!hull.has("mesh")) hull.refuse("mesh", "is missing; it names the hull file");
-  const std::string mesh = file.beside(hull.text("mesh", ""));
-  MeshReadOptions options;
-  options.up = hull.text("up", options.up, kAxes);
-  options.forward = hull.text("forward", options.forward, kAxes);
-  if (options.up.back() == options.forward.back())
-    hull.refuse("forward", "is the axis that points up");
-  options.unit = hull.text("unit", options.unit, {"m", "mm", "cm", "ft", "in"});
-  options.waterline = hull.number("waterline", 0.0, -1e6, 1e6);
-  options.trimDeg = hull.number("trim_deg", 0.0, -45.0, 45.0);
-  options.heelDeg = hull.number("heel_deg", 0.0, -180.0, 180.0);
-  options.anyFormat = hull.boolean("any_format", false);
-  options.symmetric = hull.text("symmetric", "auto", {"auto", "none", "half"});
-  if (hull.isNumber("panels")) {
-    hull.refuse(
-        "panels",
-        "re-panelling is not in this version; \"as-is\" takes the file's faces below water");
-  }
-  hull.text("panels", "as-is", {"as-is"});
-  hull.finish();
-  return readHull(mesh, options);
-}
 
 void readMass(TomlSection mass, const Hydrostatics& afloat, ShipParticulars& ship) {
   if (mass.isText("mass")) mass.text("mass", "auto", {"auto"});
@@ -211,11 +186,11 @@ ShipFile readShipFile(const std::string& path) {
   ShipFile ship;
   ShipParticulars& p = ship.particulars;
   p.name = std::filesystem::absolute(path).parent_path().filename().string();
-  const Hull hull = readHullSection(file, file.section("hull"));
+  const PanelledHull hull = readHullSection(file);
   p.hull = hull.surface;
   p.symmetric = hull.symmetric;
-  p.wetSurface = wetSurface(hull);
-  const SurfaceMesh wet = wholeWetSurface(hull);
+  p.wetSurface = hull.panels;
+  const SurfaceMesh wet = wholeWet(hull);
 
   TomlSection water = file.section("water");
   p.density = water.number("density", kSeaWaterDensity, 1.0, 1e5);

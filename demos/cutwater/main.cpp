@@ -6,6 +6,7 @@
 #include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Precision.h"
 #include "hydro/Errors.h"
+#include "hydro/geometry/Panelling.h"
 
 namespace {
 
@@ -16,7 +17,8 @@ struct Arguments {
   command::WaveOptions waves;
   command::LoadingOptions loading;
   double step = 0.05, duration = 30.0;
-  int threads = 0;
+  MeshReadOptions mesh;
+  int threads = 0, panels = 0;
   bool forces = false;
 };
 
@@ -65,6 +67,29 @@ void loading(CLI::App* sub, Arguments& a) {
   sub->add_option("--mass", a.loading.mass, "another mass [kg]; the waterline must stay");
   sub->add_option("--cog", a.loading.cog, "another centre of gravity X,Y,Z [m], hull axes");
   sub->add_option("--gyradii", a.loading.gyradii, "other gyradii of roll, pitch, yaw A,B,C [m]");
+}
+
+void addPanel(CLI::App& app, Arguments& a) {
+  CLI::App* sub =
+      command(app, "panel", "Any hull mesh, repaired and divided into about N wet panels a side",
+              "panel hull.obj -n 433 --up y --forward z -o panels.obj");
+  const auto axes = CLI::IsMember({"x", "-x", "y", "-y", "z", "-z"});
+  sub->add_option("hull", a.input, "mesh, or SHIP.toml for its [hull] section")->required();
+  sub->add_option("-n,--panels", a.panels, "panels a side")
+      ->required()
+      ->check(CLI::Range(kFewestPanels, kMostPanels));
+  sub->add_option("-o,--output", a.out, "OBJ file to write, metres, hull axes")->required();
+  sub->add_option("--up", a.mesh.up, "the mesh's axis that points up; default z")->check(axes);
+  sub->add_option("--forward", a.mesh.forward, "its axis to the bow; default x")->check(axes);
+  sub->add_option("--unit", a.mesh.unit, "its unit: m (default), mm, cm, ft or in")
+      ->check(CLI::IsMember({"m", "mm", "cm", "ft", "in"}));
+  sub->add_option("--waterline", a.mesh.waterline, "height of calm water in it; default 0");
+  sub->add_option("--symmetric", a.mesh.symmetric, "auto (default), none or half")
+      ->check(CLI::IsMember({"auto", "none", "half"}));
+  sub->callback([&a] {
+    checkFiles(a);
+    command::panel(a.input, a.panels, a.mesh, a.out);
+  });
 }
 
 void addGeometryAndSolver(CLI::App& app, Arguments& a) {
@@ -183,6 +208,7 @@ int main(int argc, char** argv) {
   command::rememberArguments(argv);
   Arguments arguments;
   addGeometryAndSolver(app, arguments);
+  addPanel(app, arguments);
   addTables(app, arguments);
   addRuns(app, arguments);
   try {

@@ -12,43 +12,7 @@
 namespace cutwater {
 namespace {
 
-// Single precision keeps 6e-8 of a coordinate; files are often written with 6 digits.
-constexpr double kSnap = 1e-6;
-
 Plane centreline() { return {Vec3::UnitY(), 0.0}; }
-
-void checkVertices(const SurfaceMesh& raw, const std::string& name) {
-  if (raw.vertices.empty() || raw.faces.empty())
-    throw HydroError(Fault::MeshEmpty,
-                     name + ": no faces (" + std::to_string(raw.vertices.size()) + " vertices)");
-  for (std::size_t i = 0; i < raw.vertices.size(); ++i)
-    if (!raw.vertices[i].allFinite())
-      throw HydroError(Fault::MeshNotFinite, name + ": vertex " + std::to_string(i) + " is " +
-                                                 placeText(raw.vertices[i]));
-  const int n = static_cast<int>(raw.vertices.size());
-  for (std::size_t k = 0; k < raw.faces.size(); ++k)
-    for (int i = 0; i < raw.faces[k].size(); ++i)
-      if (const int v = raw.faces[k][i]; v < 0 || v >= n)
-        throw HydroError(Fault::MeshIndexOutOfRange, name + ": face " + std::to_string(k) +
-                                                         " names vertex " + std::to_string(v) +
-                                                         " of " + std::to_string(n));
-}
-
-void checkInWater(const Bounds& b, const std::string& name) {
-  const double tolerance = kSnap * b.diagonal();
-  const std::string range =
-      "z from " + std::to_string(b.low.z()) + " to " + std::to_string(b.high.z()) + " m";
-  if (b.low.z() >= -tolerance)
-    throw HydroError(Fault::HullNotInWater, name + ": hull is wholly above calm water, " + range);
-  if (b.high.z() < -tolerance)
-    throw HydroError(Fault::HullNotInWater, name + ": hull is wholly below calm water, " + range);
-}
-
-SurfaceMesh snapped(SurfaceMesh mesh, int axis, double tolerance) {
-  for (Vec3& p : mesh.vertices)
-    if (std::abs(p[axis]) <= tolerance) p[axis] = 0.0;
-  return mesh;
-}
 
 bool onCentreline(const SurfaceMesh& mesh, const OpenEdge& e) {
   return mesh.vertices[static_cast<std::size_t>(e.from)].y() == 0.0 &&
@@ -65,17 +29,6 @@ bool looksHalf(const SurfaceMesh& mesh) {
   return false;
 }
 
-/// The half and its mirror image; faces in the centreplane are inside and go.
-SurfaceMesh mirrored(const SurfaceMesh& half) {
-  SurfaceMesh kept{half.vertices, {}};
-  for (const Face& f : half.faces) {
-    double widest = 0.0;
-    for (int i = 0; i < f.size(); ++i) widest = std::max(widest, std::abs(half.corner(f, i).y()));
-    if (widest > 0.0) kept.faces.push_back(f);
-  }
-  return welded(joined(kept, mirroredInY(kept)), 0.0);
-}
-
 SurfaceMesh wholeFrom(const SurfaceMesh& mesh, const std::string& name, Symmetry symmetry,
                       double tolerance) {
   if (symmetry == Symmetry::None) return mesh;
@@ -86,9 +39,9 @@ SurfaceMesh wholeFrom(const SurfaceMesh& mesh, const std::string& name, Symmetry
       throw HydroError(Fault::HullNotSymmetric, name + ": symmetric = \"half\", but y goes from " +
                                                     std::to_string(b.low.y()) + " to " +
                                                     std::to_string(b.high.y()) + " m");
-    return mirrored(centred);
+    return withMirrorImage(centred);
   }
-  return looksHalf(centred) ? mirrored(centred) : mesh;
+  return looksHalf(centred) ? withMirrorImage(centred) : mesh;
 }
 
 bool onWater(const SurfaceMesh& wet, const OpenEdge& e) {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
-#include <set>
 
 #include "hydro/Errors.h"
 #include "hydro/geometry/MeshCut.h"
@@ -156,29 +155,95 @@ std::string placeText(const Vec3& p) {
   return text;
 }
 
-SurfaceMesh withoutDoubles(const SurfaceMesh& mesh) {
-  std::set<std::array<int, 4>> seen;
-  SurfaceMesh out{mesh.vertices, {}};
-  for (const Face& f : mesh.faces) {
-    std::array<int, 4> corners = f.v;
-    std::sort(corners.begin(), corners.end());
-    if (seen.insert(corners).second) out.faces.push_back(f);
+void checkVertices(const SurfaceMesh& raw, const std::string& name) {
+  if (raw.vertices.empty() || raw.faces.empty())
+    throw HydroError(Fault::MeshEmpty,
+                     name + ": no faces (" + std::to_string(raw.vertices.size()) + " vertices)");
+  for (std::size_t i = 0; i < raw.vertices.size(); ++i)
+    if (!raw.vertices[i].allFinite())
+      throw HydroError(Fault::MeshNotFinite, name + ": vertex " + std::to_string(i) + " is " +
+                                                 placeText(raw.vertices[i]));
+  const int n = static_cast<int>(raw.vertices.size());
+  for (std::size_t k = 0; k < raw.faces.size(); ++k)
+    for (int i = 0; i < raw.faces[k].size(); ++i)
+      if (const int v = raw.faces[k][i]; v < 0 || v >= n)
+        throw HydroError(Fault::MeshIndexOutOfRange, name + ": face " + std::to_string(k) +
+                                                         " names vertex " + std::to_string(v) +
+                                                         " of " + std::to_string(n));
+}
+
+void checkInWater(const Bounds& b, const std::string& name) {
+  const double tolerance = kSnap * b.diagonal();
+  const std::string range =
+      "z from " + std::to_string(b.low.z()) + " to " + std::to_string(b.high.z()) + " m";
+  if (b.low.z() >= -tolerance)
+    throw HydroError(Fault::HullNotInWater, name + ": hull is wholly above calm water, " + range);
+  if (b.high.z() < -tolerance)
+    throw HydroError(Fault::HullNotInWater, name + ": hull is wholly below calm water, " + range);
+}
+
+SurfaceMesh snapped(SurfaceMesh mesh, int axis, double tolerance) {
+  for (Vec3& p : mesh.vertices)
+    if (std::abs(p[axis]) <= tolerance) p[axis] = 0.0;
+  return mesh;
+}
+
+SurfaceMesh withMirrorImage(const SurfaceMesh& half) {
+  SurfaceMesh kept{half.vertices, {}};
+  for (const Face& f : half.faces) {
+    double widest = 0.0;
+    for (int i = 0; i < f.size(); ++i) widest = std::max(widest, std::abs(half.corner(f, i).y()));
+    if (widest > 0.0) kept.faces.push_back(f);
   }
+  return welded(joined(kept, mirroredInY(kept)), 0.0);
+}
+
+SurfaceMesh withoutDoubles(const SurfaceMesh& mesh) {
+  using Key = std::pair<std::array<int, 4>, std::size_t>;  // corners, index
+  std::vector<Key> keys;
+  for (std::size_t k = 0; k < mesh.faces.size(); ++k) {
+    keys.emplace_back(mesh.faces[k].v, k);
+    std::sort(keys.back().first.begin(), keys.back().first.end());
+  }
+  std::sort(keys.begin(), keys.end());
+  const auto last = std::unique(keys.begin(), keys.end(),
+                                [](const Key& a, const Key& b) { return a.first == b.first; });
+  std::vector<bool> kept(mesh.faces.size(), false);
+  std::for_each(keys.begin(), last, [&](const Key& key) { kept[key.second] = true; });
+  SurfaceMesh out{mesh.vertices, {}};
+  for (std::size_t k = 0; k < mesh.faces.size(); ++k)
+    if (kept[k]) out.faces.push_back(mesh.faces[k]);
   return out;
 }
 
-std::vector<OpenEdge> looseEdges(const SurfaceMesh& mesh) {
-  std::map<EdgeKey, std::vector<OpenEdge>> uses;
+std::vector<EdgeUse> edgeUses(const SurfaceMesh& mesh) {
+  std::vector<EdgeUse> uses;
   for (int k = 0; k < static_cast<int>(mesh.faces.size()); ++k) {
     const Face& f = mesh.faces[index(k)];
     for (int i = 0; i < f.size(); ++i) {
       const int a = f[i], b = f[(i + 1) % f.size()];
-      uses[{std::min(a, b), std::max(a, b)}].push_back({a, b, k});
+      uses.push_back({static_cast<std::uint64_t>(std::min(a, b)) << 32 |
+                          static_cast<std::uint64_t>(std::max(a, b)),
+                      k, a < b});
     }
   }
+  std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
+    return std::pair(a.edge, a.face) < std::pair(b.edge, b.face);
+  });
+  return uses;
+}
+
+std::vector<OpenEdge> looseEdges(const SurfaceMesh& mesh) {
+  const std::vector<EdgeUse> uses = edgeUses(mesh);
   std::vector<OpenEdge> loose;
-  for (const auto& [edge, faces] : uses)
-    if (faces.size() % 2 == 1) loose.push_back(faces[0]);
+  for (std::size_t i = 0, next = 0; i < uses.size(); i = next) {
+    next = i + 1;
+    while (next < uses.size() && uses[next].edge == uses[i].edge) ++next;
+    if ((next - i) % 2 == 0) continue;
+    const int low = static_cast<int>(uses[i].edge >> 32),
+              high = static_cast<int>(uses[i].edge & 0xffffffffu);
+    loose.push_back({uses[i].rising ? low : high, uses[i].rising ? high : low, uses[i].face});
+  }
   return loose;
 }
 

@@ -226,27 +226,36 @@ Symmetry symmetryFrom(const std::string& name) {
                    "symmetric = \"" + name + "\" is none of \"auto\", \"none\", \"half\"");
 }
 
-SurfaceMesh readTurned(const std::string& path, const MeshReadOptions& options, bool& mirrored) {
-  SurfaceMesh mesh = readFaces(path, options.anyFormat, mirrored);
-  if (mesh.faces.empty()) throw HydroError(Fault::MeshEmpty, path + ": no faces");
-  turnToHullAxes(mesh, options);
-  return mesh;
+struct TurnedSurface {
+  SurfaceMesh mesh;  ///< in hull axes
+  Symmetry symmetry;
+};
+
+TurnedSurface readTurned(const std::string& path, const MeshReadOptions& options) {
+  TurnedSurface read{{}, symmetryFrom(options.symmetric)};
+  bool mirrored = false;
+  read.mesh = readFaces(path, options.anyFormat, mirrored);
+  if (read.mesh.faces.empty()) throw HydroError(Fault::MeshEmpty, path + ": no faces");
+  turnToHullAxes(read.mesh, options);
+  // A GDF file with ISY = 1 holds a half, but its reader has added the other already.
+  if (mirrored && read.symmetry == Symmetry::Half) read.symmetry = Symmetry::Auto;
+  return read;
 }
 
 }  // namespace
 
 SurfaceMesh readSurface(const std::string& path, const MeshReadOptions& options) {
-  bool mirrored = false;
-  return readTurned(path, options, mirrored);
+  return readTurned(path, options).mesh;
 }
 
 Hull readHull(const std::string& path, const MeshReadOptions& options) {
-  Symmetry symmetry = symmetryFrom(options.symmetric);
-  bool mirrored = false;
-  const SurfaceMesh mesh = readTurned(path, options, mirrored);
-  // A GDF file with ISY = 1 holds a half, but its reader has added the other already.
-  if (mirrored && symmetry == Symmetry::Half) symmetry = Symmetry::Auto;
-  return makeHull(mesh, path, symmetry);
+  const TurnedSurface read = readTurned(path, options);
+  return makeHull(read.mesh, path, read.symmetry);
+}
+
+RepairedHull readRepaired(const std::string& path, const MeshReadOptions& options) {
+  const TurnedSurface read = readTurned(path, options);
+  return repairedHull(read.mesh, path, read.symmetry);
 }
 
 }  // namespace cutwater

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "hydro/geometry/Hull.h"
+#include "hydro/geometry/MeshRepair.h"
 
 namespace cutwater {
 
@@ -31,6 +31,9 @@ SurfaceMesh readSurface(const std::string& path, const MeshReadOptions& options 
 
 /// readSurface and makeHull. @throws what they throw.
 Hull readHull(const std::string& path, const MeshReadOptions& options = {});
+
+/// readSurface and repairedHull. @throws what they throw.
+RepairedHull readRepaired(const std::string& path, const MeshReadOptions& options = {});
 
 /// Writes Wavefront OBJ: to a temporary file beside it, then renamed, so that it is whole or not
 /// there.

@@ -34,9 +34,10 @@ class VertexGrid {
   int find(const Vec3& p, const std::vector<Vec3>& kept) const {
     const Cell c = cellOf(p);
     int best = -1;
-    for (std::int64_t i = -1; i <= 1; ++i)
-      for (std::int64_t j = -1; j <= 1; ++j)
-        for (std::int64_t k = -1; k <= 1; ++k) {
+    const std::int64_t reach = tolerance2_ > 0 ? 1 : 0;  // equal points share a cube
+    for (std::int64_t i = -reach; i <= reach; ++i)
+      for (std::int64_t j = -reach; j <= reach; ++j)
+        for (std::int64_t k = -reach; k <= reach; ++k) {
           const auto range = map_.equal_range({c[0] + i, c[1] + j, c[2] + k});
           for (auto it = range.first; it != range.second; ++it) {
             const Vec3& q = kept[static_cast<std::size_t>(it->second)];

@@ -311,6 +311,64 @@ condition_limit_odd = [[1.0, 1e12]]
         self.assertNotIn("lid = true", done.stderr)
 
 
+def read(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+class Panels(Files):
+    FRIGATE = os.path.join(MESHES, "frigate", "frigate_1040.obj")
+
+    def panelled(self, count, *more):
+        out = self.path("p.obj")
+        done = call("panel", self.FRIGATE, "-n", str(count), "-o", out, *more)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return out, done.stderr
+
+    def test_a_mesh_becomes_about_as_many_panels(self):
+        out, said = self.panelled(224)
+        self.assertIn("panels a side", said)
+        self.assertEqual(said.count("\n"), 1)  # a sound hull: nothing repaired
+        ship = self.path("s.toml", SHIP.replace(f"{MESHES}/frigate/frigate_224.obj", out))
+        values = {row["name"]: float(row["value"]) for row in table("hydrostatics", ship)}
+        # Rows and stations are whole numbers; the volume is that of so many inscribed panels, 1.5 %.
+        self.assertAlmostEqual(values["panels"] / 224, 1, delta=0.06)
+        self.assertEqual(values["symmetric"], 1)
+        self.assertAlmostEqual(values["volume"] / 4509.0, 1, delta=0.015)
+
+    def test_a_count_in_the_ship_file_is_the_same(self):
+        self.panelled(224)
+        ship = self.path("s.toml", SHIP.replace("frigate_224.obj\"", "frigate_1040.obj\"\npanels = 224"))
+        values = {row["name"]: float(row["value"]) for row in table("hydrostatics", ship)}
+        out = self.path("q.obj")
+        self.assertEqual(call("panel", ship, "-n", "224", "-o", out).returncode, 0)
+        faces = [line for line in read(out).splitlines() if line.startswith("f")]
+        self.assertEqual(faces, [line for line in read(self.path("p.obj")).splitlines() if line.startswith("f")])
+        self.assertEqual(values["panels"], len(faces) / 2)
+        solve = self.path("t.toml", read(ship) + "[solve]\nomega = [0.5, 1.0]\nwave_omega = 0.5\nlid = false\n")
+        done = call("solve", solve, "-o", self.path("t.h5"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(f"{len(faces) // 2} panels a side", done.stderr)
+
+    def test_what_cannot_be_panelled_is_refused_and_nothing_written(self):
+        lines = read(self.FRIGATE).splitlines()
+        heights = [float(line.split()[3]) for line in lines if line.startswith("v ")]
+        bottomless = [line for line in lines if not line.startswith("f ")
+                      or max(heights[int(word) - 1] for word in line.split()[1:]) > -4.5]
+        hull = self.path("hull.obj", "\n".join(bottomless) + "\n")
+        out = self.path("p.obj")
+        self.refused(["panel", hull, "-n", "224", "-o", out], "hull.obj", "hole", "m wide", "at (")
+        self.refused(["panel", self.path("none.obj"), "-n", "224", "-o", out], "none.obj")
+        self.refused(["panel", self.FRIGATE, "-n", "224", "-o", self.FRIGATE], "is the file that is read")
+        self.refused(["panel", self.FRIGATE, "--up", "y", "--forward", "-y", "-n", "224", "-o", out], "forward", "up")
+        self.assertFalse(os.path.exists(out))
+        for bad in ("5", "-3", "1e9", "many"):
+            self.assertEqual(call("panel", self.FRIGATE, "-n", bad, "-o", out).returncode, 2)
+        for bad in ("3", "0.5", "-7", "1000000"):
+            text = SHIP.replace("frigate_224.obj\"", f"frigate_224.obj\"\npanels = {bad}")
+            self.refused(["hydrostatics", self.path("s.toml", text)], "s.toml", "[hull] panels", bad)
+
+
 class Errors(Files):
     def test_usage_exits_two(self):
         for arguments in ([], ["nonsense"], ["solve"], ["rao", DATABASE], ["sweep", "--threads", "-3", "x"],
@@ -320,7 +378,7 @@ class Errors(Files):
 
     def test_help_and_version_exit_zero(self):
         self.assertEqual(call("--version").returncode, 0)
-        for name in "hydrostatics solve info coefficients excitation rao retardation simulate sweep".split():
+        for name in "hydrostatics panel solve info coefficients excitation rao retardation simulate sweep".split():
             done = call(name, "--help")
             self.assertEqual(done.returncode, 0)
             self.assertIn("Example", done.stdout)

@@ -1,0 +1,61 @@
+#include "demos/cutwater/HullFile.h"
+
+#include <fmt/format.h>
+
+#include "hydro/geometry/MeshRepair.h"
+#include "hydro/geometry/Panelling.h"
+
+namespace cutwater::command {
+
+namespace {
+
+const std::vector<std::string> kAxes{"x", "-x", "y", "-y", "z", "-z"};
+
+}  // namespace
+
+PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& options,
+                          std::optional<int> count) {
+  if (!count) {
+    Hull hull = readHull(mesh, options);
+    SurfaceMesh panels = wetSurface(hull);
+    return {std::move(hull.surface), std::move(panels), hull.symmetric};
+  }
+  RepairedHull repaired = readRepaired(mesh, options);
+  for (const std::string& line : repaired.done) fmt::print(stderr, "{}: {}\n", mesh, line);
+  SurfaceMesh panels = panelled(repaired.hull, *count, mesh);
+  return {std::move(repaired.hull.surface), std::move(panels), repaired.hull.symmetric};
+}
+
+PanelledHull readHullSection(TomlFile& file, std::optional<int> count) {
+  TomlSection hull = file.section("hull");
+  if (!hull.has("mesh")) hull.refuse("mesh", "is missing; it names the hull file");
+  const std::string mesh = file.beside(hull.text("mesh", ""));
+  MeshReadOptions options;
+  options.up = hull.text("up", options.up, kAxes);
+  options.forward = hull.text("forward", options.forward, kAxes);
+  if (options.up.back() == options.forward.back())
+    hull.refuse("forward", "is the axis that points up");
+  options.unit = hull.text("unit", options.unit, {"m", "mm", "cm", "ft", "in"});
+  options.waterline = hull.number("waterline", 0.0, -1e6, 1e6);
+  options.trimDeg = hull.number("trim_deg", 0.0, -45.0, 45.0);
+  options.heelDeg = hull.number("heel_deg", 0.0, -180.0, 180.0);
+  options.anyFormat = hull.boolean("any_format", false);
+  options.symmetric = hull.text("symmetric", "auto", {"auto", "none", "half"});
+  std::optional<int> panels = count;
+  if (hull.isNumber("panels")) {
+    const int own = hull.integer("panels", 0, kFewestPanels, kMostPanels);
+    panels = count.value_or(own);
+  } else {
+    hull.text("panels", "as-is", {"as-is"});
+  }
+  hull.finish();
+  return readPanelled(mesh, options, panels);
+}
+
+SurfaceMesh wholeWet(const PanelledHull& hull) {
+  if (!hull.symmetric) return hull.panels;
+  const SurfaceMesh both = joined(hull.panels, mirroredInY(hull.panels));
+  return welded(both, 1e-9 * bounds(both).diagonal());
+}
+
+}  // namespace cutwater::command

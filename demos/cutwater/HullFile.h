@@ -1,0 +1,29 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "demos/cutwater/Toml.h"
+#include "hydro/geometry/MeshIO.h"
+
+namespace cutwater::command {
+
+/// A hull and the panels of its wet part.
+struct PanelledHull {
+  SurfaceMesh surface;  ///< both sides, wet and dry
+  SurfaceMesh panels;   ///< of the port half if symmetric, else of both sides
+  bool symmetric = false;
+};
+
+/// Reads a mesh. With a count it is repaired and divided anew into about as many panels a side, and
+/// what was repaired is said on stderr; without, its faces below water are the panels.
+/// @throws HydroError naming the file.
+PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& options,
+                          std::optional<int> count);
+
+/// The [hull] section of a SHIP.toml. `count` overrides its `panels`.
+PanelledHull readHullSection(TomlFile& file, std::optional<int> count = {});
+
+/// The panels of both sides, vertices shared.
+SurfaceMesh wholeWet(const PanelledHull& hull);
+
+}  // namespace cutwater::command

@@ -1,0 +1,43 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "demos/cutwater/Commands.h"
+#include "demos/cutwater/HullFile.h"
+#include "hydro/geometry/MeshIntegrals.h"
+#include "hydro/geometry/Panelling.h"
+
+namespace cutwater::command {
+
+namespace {
+
+PanelledHull readAny(const std::string& hull, int count, const MeshReadOptions& options) {
+  if (std::filesystem::path(hull).extension() != ".toml") return readPanelled(hull, options, count);
+  TomlFile file(hull);
+  return readHullSection(file, count);
+}
+
+}  // namespace
+
+void panel(const std::string& hull, int count, const MeshReadOptions& options,
+           const std::string& out) {
+  const PanelledHull made = readAny(hull, count, options);
+  const SurfaceMesh wet = wholeWet(made);
+  const auto stretched =
+      std::count_if(made.panels.faces.begin(), made.panels.faces.end(),
+                    [&](const Face& f) { return aspectRatio(made.panels, f) > 3.0; });
+  const std::size_t panels = made.panels.faces.size();
+  const std::string about =
+      fmt::format("{} panels{}, volume {:.6g} m3, area {:.6g} m2", panels,
+                  made.symmetric ? " a side" : "", volumeIntegrals(wet).volume, surfaceArea(wet));
+  writeObj(
+      out, wet,
+      fmt::format("{} of the wet part of {}\nmetres; x forward, y to port, z up from calm water; "
+                  "made by cutwater panel",
+                  about, std::filesystem::path(hull).filename().string()));
+  fmt::print(stderr, "{}: {}; {:.1f} % of them more than 3 times as long as wide\n", out, about,
+             100.0 * static_cast<double>(stretched) / static_cast<double>(panels));
+}
+
+}  // namespace cutwater::command

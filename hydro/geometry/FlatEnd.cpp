@@ -1,0 +1,136 @@
+#include "hydro/geometry/FlatEnd.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hydro/geometry/PanelRows.h"
+
+namespace cutwater {
+namespace {
+
+constexpr double kLeastRow =
+    0.3;  // of the panel size: outline vertices closer in height share a row
+constexpr double kBottomRow = 0.35;  // as near as this to the last row, the outline is that row
+
+constexpr double kNothing = 1e-3;  // of a panel's area
+
+class EndRows {
+ public:
+  EndRows(const std::vector<int>& outline, bool aft, double size, SurfaceMesh& mesh)
+      : left_(outline), aft_(aft), size_(size), mesh_(mesh) {
+    toCentreline_ = at(outline.back()).y() == 0.0 && at(outline.back()).z() < 0.0;
+    if (toCentreline_) return;
+    const auto lower = [&](int p, int q) { return at(p).z() < at(q).z(); };
+    const auto lowest = std::min_element(outline.begin(), outline.end(), lower);
+    left_.assign(outline.begin(), lowest + 1);
+    right_.assign(outline.rbegin(), std::make_reverse_iterator(lowest));
+  }
+
+  void addRows() {
+    std::size_t i = 0, k = 0;
+    std::vector<int> upper = withInner(left_[0], toCentreline_ ? centreAt(left_[0]) : right_[0]);
+    for (;;) {
+      std::size_t j = i + 1, m = k;
+      while (j + 1 < left_.size() && at(left_[i]).z() - at(left_[j]).z() < kLeastRow * size_) ++j;
+      if (isBottom(j)) {
+        addBetween(upper, rest(i, k));
+        return;
+      }
+      std::vector<int> lower(left_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                             left_.begin() + static_cast<std::ptrdiff_t>(j));
+      if (!toCentreline_) m = levelWith(left_[j], k);
+      for (const int v : withInner(left_[j], toCentreline_ ? centreAt(left_[j]) : right_[m]))
+        lower.push_back(v);
+      for (std::size_t r = m; r > k + 1; --r) lower.push_back(right_[r - 1]);
+      addBetween(upper, lower);
+      upper = withoutSides(lower, j - i - 1, toCentreline_ || m <= k + 1 ? 0 : m - k - 1);
+      i = j;
+      k = m;
+    }
+  }
+
+ private:
+  const Vec3& at(int v) const { return mesh_.vertices[static_cast<std::size_t>(v)]; }
+
+  int centreAt(int v) {
+    Vec3 p = at(v);
+    if (p.y() == 0.0) return v;
+    p.y() = 0.0;
+    mesh_.vertices.push_back(p);
+    return static_cast<int>(mesh_.vertices.size()) - 1;
+  }
+
+  /// A row from one vertex to another with new vertices between.
+  std::vector<int> withInner(int from, int to) {
+    std::vector<int> row{from};
+    const Vec3 a = at(from), b = at(to);
+    const int parts = std::max(1, static_cast<int>(std::lround((b - a).norm() / size_)));
+    for (int p = 1; p < parts; ++p) {
+      mesh_.vertices.push_back(a + (b - a) * p / parts);
+      row.push_back(static_cast<int>(mesh_.vertices.size()) - 1);
+    }
+    if (to != from) row.push_back(to);
+    return row;
+  }
+
+  std::vector<int> withoutSides(const std::vector<int>& row, std::size_t first, std::size_t last) {
+    return {row.begin() + static_cast<std::ptrdiff_t>(first),
+            row.end() - static_cast<std::ptrdiff_t>(last)};
+  }
+
+  bool isBottom(std::size_t j) const {
+    for (std::size_t n = j; n < left_.size(); ++n)
+      if (at(left_[n]).z() < at(left_[j]).z() - kBottomRow * size_) return false;
+    return true;
+  }
+
+  /// What is left of the outline below rows i and k.
+  std::vector<int> rest(std::size_t i, std::size_t k) const {
+    std::vector<int> row(left_.begin() + static_cast<std::ptrdiff_t>(i) + 1, left_.end());
+    if (!toCentreline_)
+      for (std::size_t r = right_.size() - 1; r > k + 1; --r) row.push_back(right_[r - 1]);
+    return row;
+  }
+
+  std::size_t levelWith(int v, std::size_t from) const {
+    std::size_t best = from;
+    for (std::size_t m = from; m < right_.size(); ++m)
+      if (std::abs(at(right_[m]).z() - at(v).z()) < std::abs(at(right_[best]).z() - at(v).z()))
+        best = m;
+    return best;
+  }
+
+  void addBetween(const std::vector<int>& upper, const std::vector<int>& lower) {
+    const auto across = [&](const std::vector<int>& row) {
+      std::vector<double> y;
+      for (const int v : row) y.push_back(-at(v).y());
+      return y;
+    };
+    if (aft_)
+      addPanelsBetween(upper, across(upper), lower, across(lower), mesh_);
+    else
+      addPanelsBetween(lower, across(lower), upper, across(upper), mesh_);
+  }
+
+  std::vector<int> left_, right_;  ///< both sides of the outline from the top to the lowest vertex
+  bool toCentreline_ = false;      ///< the right side is the centreline
+  bool aft_;
+  double size_;
+  SurfaceMesh& mesh_;
+};
+
+}  // namespace
+
+void addFlatEnd(const std::vector<int>& outline, bool aft, double size, SurfaceMesh& mesh) {
+  if (outline.size() < 2) return;
+  const auto at = [&](int v) { return mesh.vertices[static_cast<std::size_t>(v)]; };
+  Vec3 corner = at(outline.front());  // where calm water meets the centreline
+  if (at(outline.back()).y() == 0.0) corner.y() = 0.0;
+  Vec3 enclosed = Vec3::Zero();
+  for (std::size_t i = 0; i + 1 < outline.size(); ++i)
+    enclosed += 0.5 * (at(outline[i]) - corner).cross(at(outline[i + 1]) - corner);
+  if (std::abs(enclosed.x()) < kNothing * size * size) return;
+  EndRows(outline, aft, size, mesh).addRows();
+}
+
+}  // namespace cutwater

@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "hydro/geometry/SurfaceMesh.h"
+
+namespace cutwater {
+
+/// What the water touches of a surface, and what was done to find it, in words. Not installed.
+struct OutsideShell {
+  SurfaceMesh mesh;  ///< normals towards the water
+  std::vector<std::string> done;
+};
+
+/// Keeps the patches of a wet surface that are seen from the water on one side, turned towards it. Left
+/// out are those that are not seen (decks, bulkheads, inner shells) and those that are seen from both
+/// sides (plates). Shells that pass through one another are split there first.
+/// @throws HydroError HullNotClosed, naming the place, if nothing is left, or a patch is partly hidden for
+///   another reason; HullInverted for a one-sided patch.
+OutsideShell outsideShell(const SurfaceMesh& wet, const std::string& name);
+
+/// "1 face", "2 faces"; `many` where an s does not do.
+std::string counted(std::size_t n, const std::string& one, const std::string& many = {});
+
+}  // namespace cutwater

@@ -1,0 +1,177 @@
+#include "hydro/geometry/Panelling.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "hydro/Errors.h"
+#include "hydro/geometry/HullShells.h"
+#include "hydro/geometry/MeshIntegrals.h"
+#include "hydro/geometry/SectionPanels.h"
+#include "hydro/geometry/StationField.h"
+
+namespace cutwater {
+namespace {
+
+// Mean panel edges along and across the sections: longer where there would be fewer than kEnoughRows
+// from calm water to the keel, as it is across that hulls are curved. The uppermost row is so much
+// narrower that its panels are 2.4 times as long as deep amidships.
+
+constexpr double kLeastRatio = 1.2, kMostRatio = 1.6, kEnoughRows = 10.0, kUppermostRatio = 2.4;
+constexpr int kTries = 12;  // to meet the count
+constexpr double kMostExcess = 0.02;
+constexpr double kCloseEnough = 0.01;  // of the count
+
+/// A quadrilateral with three corners on calm water would be flattened into the waterplane; of its
+/// halves, split from the fourth corner, each keeps one edge there.
+SurfaceMesh withSplitWaterCorners(const SurfaceMesh& mesh) {
+  SurfaceMesh out{mesh.vertices, {}};
+  for (const Face& f : mesh.faces) {
+    int below = -1, onWater = 0;
+    for (int i = 0; i < f.size(); ++i)
+      if (mesh.corner(f, i).z() == 0.0)
+        ++onWater;
+      else
+        below = i;
+    if (onWater == f.size()) continue;
+    if (f.size() == 4 && onWater == 3) {
+      const auto at = [&](int i) { return f[(below + i) % 4]; };
+      out.faces.push_back({{at(0), at(1), at(2), -1}});
+      out.faces.push_back({{at(0), at(2), at(3), -1}});
+    } else {
+      out.faces.push_back(f);
+    }
+  }
+  return out;
+}
+
+SurfaceMesh withoutSlivers(const SurfaceMesh& mesh) {
+  SurfaceMesh out{mesh.vertices, {}};
+  for (const Face& f : mesh.faces) {
+    double size2 = 0.0;
+    for (int i = 0; i < f.size(); ++i)
+      size2 =
+          std::max(size2, (mesh.corner(f, i) - mesh.corner(f, (i + 1) % f.size())).squaredNorm());
+    if (vectorArea(mesh, f).norm() > 1e-6 * size2) out.faces.push_back(f);
+  }
+  return out;
+}
+
+class HullPanels {
+ public:
+  HullPanels(const Hull& hull, const std::string& name)
+      : wet_(wetSurface(hull)), name_(name), symmetric_(hull.symmetric), area_(surfaceArea(wet_)) {}
+
+  /// The division whose number of panels is nearest to the one wanted, of a few tries.
+  SurfaceMesh about(int count) {
+    const double wanted = symmetric_ ? count : 2.0 * count;
+    double girthwise = std::sqrt(area_ / (wanted * kLeastRatio));
+    cutter_.emplace(wet_, stationField(wet_, 4 * girthwise * girthwise));
+    strands_ = sectionStrands(*cutter_, 0.25 * girthwise);
+    ratio_ = lengthPerGirth(girthwise);
+    girthwise *= std::sqrt(kLeastRatio / ratio_);
+    SurfaceMesh best;
+    double least = 1e300, few = 0.0, many = 0.0;  // sizes that gave too few panels, and too many
+    for (int i = 0; i < kTries && least > kCloseEnough; ++i) {
+      SurfaceMesh now = with(girthwise);
+      const double ratio = static_cast<double>(now.faces.size()) / wanted;
+      if (std::abs(ratio - 1) < least) {
+        least = std::abs(ratio - 1);
+        best = std::move(now);
+      }
+      (ratio < 1 ? few : many) = girthwise;
+      girthwise = few > 0 && many > 0 ? std::sqrt(few * many)
+                                      : girthwise * std::pow(std::max(ratio, 0.1), 0.5);
+    }
+    checkClosed(best);
+    checkFollowed(best);
+    return best;
+  }
+
+ private:
+  SurfaceMesh with(double girthwise) const {
+    SurfaceMesh all;
+    for (const SectionStrand& strand : strands_)
+      all = joined(all,
+                   panelsOn(strand, *cutter_,
+                            {girthwise, ratio_ * girthwise, 1 - 1.2 * ratio_ / kUppermostRatio}));
+    // An end that runs along calm water may be off by the roughness of the mesh, and the tip of a
+    // waterline lies a little above where the stem's section begins.
+    all = welded(snapped(std::move(all), 2, 0.02 * girthwise), 1e-3 * girthwise);
+    return welded(withoutSlivers(withSplitWaterCorners(all)), 0.0);
+  }
+
+  double lengthPerGirth(double girthwise) const {
+    double girth = 0.0;  // from calm water to the keel
+    for (const SectionStrand& strand : strands_)
+      for (const SectionCurve& c : strand.curves)
+        girth = std::max(girth, c.points.back().z() == 0.0 ? 0.5 * c.length() : c.length());
+    const double missing = kEnoughRows * girthwise / girth;
+    return std::clamp(kLeastRatio * missing * missing, kLeastRatio, kMostRatio);
+  }
+
+  void checkClosed(const SurfaceMesh& panels) const {
+    if (panels.faces.empty())
+      throw HydroError(Fault::HullNotClosed, name_ + ": no section to put panels on");
+    for (const OpenEdge& e : looseEdges(panels)) {
+      const Vec3 &p = panels.vertices[static_cast<std::size_t>(e.from)],
+                 &q = panels.vertices[static_cast<std::size_t>(e.to)];
+      const bool onWater = p.z() == 0.0 && q.z() == 0.0;
+      const bool onCentreline = symmetric_ && p.y() == 0.0 && q.y() == 0.0;
+      if (onWater || onCentreline) continue;
+      throw HydroError(Fault::HullNotClosed,
+                       name_ + ": the sections of the hull split or jump at " + placeText(p) +
+                           ", where no panels can be laid; use panels = \"as-is\"");
+    }
+  }
+
+  /// Inscribed panels have less area than the hull; where rows cross, they have more.
+  void checkFollowed(const SurfaceMesh& panels) const {
+    const double excess = surfaceArea(panels) / area_ - 1;
+    if (excess <= kMostExcess) return;
+    throw HydroError(
+        Fault::HullNotClosed,
+        name_ + ": panels would have " + std::to_string(std::lround(100 * excess)) +
+            " % more area than the hull, whose sections cannot be followed (appendages?); "
+            "use panels = \"as-is\"");
+  }
+
+  SurfaceMesh wet_;
+  std::string name_;
+  bool symmetric_;
+  std::optional<SectionCutter> cutter_;
+  double area_, ratio_ = kLeastRatio;
+  std::vector<SectionStrand> strands_;
+};
+
+}  // namespace
+
+SurfaceMesh panelled(const Hull& hull, int count, const std::string& name) {
+  if (count < kFewestPanels || count > kMostPanels)
+    throw HydroError(Fault::ValueOutOfRange, name + ": panels = " + std::to_string(count) +
+                                                 " must be in " + std::to_string(kFewestPanels) +
+                                                 " to " + std::to_string(kMostPanels));
+  return HullPanels(hull, name).about(count);
+}
+
+double aspectRatio(const SurfaceMesh& mesh, const Face& face) {
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  Vec3 first = Vec3::Zero();
+  double area = 0.0;
+  for (int i = 1; i + 1 < face.size(); ++i) {
+    const Vec3 &a = mesh.corner(face, 0), &b = mesh.corner(face, i), &c = mesh.corner(face, i + 1);
+    const double part = 0.5 * (b - a).cross(c - a).norm();
+    area += part;
+    for (const Vec3& middle : {Vec3(0.5 * (a + b)), Vec3(0.5 * (b + c)), Vec3(0.5 * (c + a))}) {
+      first += part / 3 * middle;
+      second += part / 3 * middle * middle.transpose();
+    }
+  }
+  const Vec3 centre = first / area;
+  second = second / area - centre * centre.transpose();
+  const Vec3 moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(second).eigenvalues();
+  return std::sqrt(moments[2] / std::max(moments[1], 1e-300));
+}
+
+}  // namespace cutwater

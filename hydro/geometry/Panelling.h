@@ -1,0 +1,31 @@
+#pragma once
+#include <string>
+
+#include "hydro/geometry/Hull.h"
+
+namespace cutwater {
+
+/// Solver panels for the wet part of a hull of any triangulation, about `count` of them a side.
+///
+/// The hull is cut at stations x = const, closer together at the ends; each section is divided from
+/// calm water to the keel (of one hull of a catamaran: to calm water again), closer together towards
+/// calm water; neighbouring sections are joined by quadrilaterals, and by triangles where the shorter
+/// one has fewer parts. Knuckles along and across the hull become panel edges, flat ends (transoms)
+/// get panels of their own. Corners lie on the given surface, so volume and area are below the
+/// hull's by the second order of the panel size; those on the waterline stay at z = 0.
+///
+/// @param name  of the hull's file, for messages.
+/// @return the wet panels: of the port half if hull.symmetric, else of both sides (then 2·count of
+///   them); ready for makePanels. O(faces + count · faces at one section).
+/// @throws HydroError ValueOutOfRange for a count below kFewestPanels or above kMostPanels;
+///   HullNotClosed, naming the place, where sections cannot follow the hull (its section splits, or
+///   two parts touch).
+SurfaceMesh panelled(const Hull& hull, int count, const std::string& name);
+
+inline constexpr int kFewestPanels = 20, kMostPanels = 20'000;
+
+/// How stretched a panel is: ratio of its greatest to its least radius of gyration in its plane. Of a
+/// rectangle the ratio of its sides, of an equilateral triangle 1.
+double aspectRatio(const SurfaceMesh& mesh, const Face& face);
+
+}  // namespace cutwater

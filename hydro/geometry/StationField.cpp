@@ -1,0 +1,111 @@
+#include "hydro/geometry/StationField.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cutwater {
+namespace {
+
+constexpr double kFacing = 0.5;                          // |n_x| of an end
+constexpr double kAcross = 0.3;                          // |n_y| of an end at most
+constexpr double kAlike = 0.9986;                        // cos 3°
+constexpr double kRough = 2e-4;                          // of the size
+constexpr double kLeastBlend = 0.15, kMostBlend = 0.45;  // of the length
+constexpr int kPicks = 40;                               // faces whose planes are tried
+
+/// The plane normal·p = offset in which a hull ends, and the vertices of the faces in it.
+struct EndPlane {
+  Vec3 normal = Vec3::Zero();
+  double offset = 0.0, area = 0.0;
+  std::vector<int> vertices;
+};
+
+class EndFinder {
+ public:
+  EndFinder(const SurfaceMesh& wet, double side)
+      : wet_(wet), rough_(kRough * bounds(wet).diagonal()) {
+    for (const Face& f : wet.faces) {
+      const Vec3 n = vectorArea(wet, f);
+      if (side * n.x() < kFacing * n.norm() || std::abs(n.y()) > kAcross * n.norm()) continue;
+      faces_.push_back(&f);
+      area_.push_back((area_.empty() ? 0.0 : area_.back()) + n.norm());
+    }
+  }
+
+  /// The largest plane that ends the hull; area 0 if there is none.
+  EndPlane find() const {
+    EndPlane best;
+    for (int i = 0; i < kPicks && !faces_.empty(); ++i) {
+      const double target = area_.back() * (i + 0.5) / kPicks;
+      const auto k = std::lower_bound(area_.begin(), area_.end(), target) - area_.begin();
+      const Face& face = *faces_[static_cast<std::size_t>(k)];
+      EndPlane plane = around(vectorArea(wet_, face).normalized(), wet_.corner(face, 0));
+      if (plane.area > best.area) best = std::move(plane);
+    }
+    if (best.area == 0.0) return best;
+    best = around(best.normal, best.offset * best.normal);
+    for (const Vec3& p : wet_.vertices)
+      if (best.normal.dot(p) - best.offset > rough_) return {};
+    return best;
+  }
+
+ private:
+  /// The mean plane of the faces that lie in this one.
+  EndPlane around(const Vec3& normal, const Vec3& point) const {
+    EndPlane plane;
+    Vec3 sum = Vec3::Zero();
+    double moment = 0.0;
+    for (const Face* f : faces_) {
+      const Vec3 n = vectorArea(wet_, *f);
+      bool inside = normal.dot(n) > kAlike * n.norm();
+      Vec3 centre = Vec3::Zero();
+      for (int i = 0; i < f->size(); ++i) {
+        centre += wet_.corner(*f, i) / f->size();
+        inside = inside && std::abs(normal.dot(wet_.corner(*f, i) - point)) < rough_;
+      }
+      if (!inside) continue;
+      sum += n;
+      moment += n.dot(centre);
+      plane.area += n.norm();
+      for (int i = 0; i < f->size(); ++i) plane.vertices.push_back((*f)[i]);
+    }
+    if (plane.area == 0.0) return plane;
+    plane.normal = sum.normalized();
+    plane.offset = moment / sum.norm();
+    return plane;
+  }
+
+  const SurfaceMesh& wet_;
+  double rough_;
+  std::vector<const Face*> faces_;
+  std::vector<double> area_;  ///< of the faces up to each
+};
+
+/// Leans the stations near one end as its plane does.
+void lean(std::vector<double>& station, const SurfaceMesh& wet, const EndPlane& end) {
+  const Bounds box = bounds(wet);
+  const double length = box.high.x() - box.low.x(), draft = -box.low.z();
+  const double slope = -end.normal.z() / end.normal.x();  // dx/dz of the plane
+  const double atWater = end.offset / end.normal.x();
+  const double blend =
+      std::clamp(4 * std::abs(slope) * draft, kLeastBlend * length, kMostBlend * length);
+  for (std::size_t i = 0; i < station.size(); ++i) {
+    const double z = wet.vertices[i].z();
+    const double inward = std::abs(wet.vertices[i].x() - atWater - slope * z);
+    station[i] -= std::max(0.0, 1 - inward / blend) * slope * z;
+  }
+  for (const int v : end.vertices) station[static_cast<std::size_t>(v)] = atWater;
+}
+
+}  // namespace
+
+std::vector<double> stationField(const SurfaceMesh& wet, double leastArea) {
+  std::vector<double> station;
+  for (const Vec3& p : wet.vertices) station.push_back(p.x());
+  for (const double side : {-1.0, 1.0})
+    if (const EndPlane end = EndFinder(wet, side).find(); end.area > leastArea)
+      lean(station, wet, end);
+  return station;
+}
+
+}  // namespace cutwater
