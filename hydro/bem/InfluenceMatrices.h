@@ -27,11 +27,11 @@ enum class IdleLid {
 /// Each equation is averaged over its panel by 4 or 9 points (Galerkin; the wave term by 4 where it
 /// needs more than one), or taken at its centroid.
 /// With Galerkin weights the two formulations are transposes of each other to quadrature error. 1/R
-/// and 1/R₁ are integrated exactly, once, for all frequencies. The wave term takes n × n points of
-/// the source panel, n = 1 where waves are long or lie far above, up to 4. In short waves K F
-/// becomes −2/R₁; that share is integrated exactly too, so that K → ∞ is atLimit(Infinite) panel by
-/// panel. Where the image is near and waves are long, the singular part −2 ln((R + Y)/2) is split
-/// off and integrated once.
+/// and 1/R₁ are integrated exactly, once, for all frequencies; the wave term of far pairs by one
+/// evaluation and the panels' extent (FarWave.h), of pairs whose image is near by its singular part and
+/// points (NearWave.h): −2 ln((R + Y)/2) in long waves, in short ones −2/R₁, which K F becomes, so that
+/// K → ∞ is atLimit(Infinite) panel by panel. With settings.sourcePoints = 1, 4, 9 far pairs have
+/// that many Gauss points instead.
 ///
 /// Symmetric hulls, [M03] (57)-(60): port panels only, D_even = D_pp + D_ps, D_odd = D_pp − D_ps.
 ///
