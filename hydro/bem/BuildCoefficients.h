@@ -57,7 +57,6 @@ using SolveProgress = std::function<void(int done, int total)>;
 /// @throws HydroError FileNotWritable (journal), FrequenciesNotIncreasing, ValueOutOfRange, MeshEmpty, BadArgument,
 /// MatrixSingular, HullNotClosed (no lid fits the waterline).
 Coefficients buildCoefficients(const ShipParticulars& ship, const SolveSettings& settings,
-                               const SolveProgress& progress = {},
-                               const std::string& journal = {});
+                               const SolveProgress& progress = {}, const std::string& journal = {});
 
 }  // namespace cutwater

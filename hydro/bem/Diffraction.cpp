@@ -50,8 +50,8 @@ AdjointVectors adjointVectors(const SymmetricSystem<Scalar>& system, const ModeN
       wX = system.hasXDerivative() ? w : Eigen::MatrixXd(stokes->stokes(parity).transpose() * n);
     const Matrix a = system.bothAdjoints(parity, normals.weights(parity).template cast<Scalar>(),
                                          wX.template cast<Scalar>());
-    b.omega(modes, Eigen::all) = Complex(0.0, density * half) *
-                                 a.leftCols(count).transpose().template cast<Complex>();
+    b.omega(modes, Eigen::all) =
+        Complex(0.0, density * half) * a.leftCols(count).transpose().template cast<Complex>();
     if (stokes == nullptr) continue;
     Matrix x = a.rightCols(count);
     if (!system.hasXDerivative()) x += (normals.n.col(Surge).asDiagonal() * w).cast<Scalar>();

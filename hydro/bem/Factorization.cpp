@@ -20,9 +20,13 @@ using LowComplex = std::complex<float>;
 
 // The LAPACK and BLAS routines by scalar type, column-major; _work: without a look for NaN each time.
 int getrf(int n, float* a, int* p) { return LAPACKE_sgetrf_work(LAPACK_COL_MAJOR, n, n, a, n, p); }
-int getrf(int n, LowComplex* a, int* p) { return LAPACKE_cgetrf_work(LAPACK_COL_MAJOR, n, n, a, n, p); }
+int getrf(int n, LowComplex* a, int* p) {
+  return LAPACKE_cgetrf_work(LAPACK_COL_MAJOR, n, n, a, n, p);
+}
 int getrf(int n, double* a, int* p) { return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, n, n, a, n, p); }
-int getrf(int n, Complex* a, int* p) { return LAPACKE_zgetrf_work(LAPACK_COL_MAJOR, n, n, a, n, p); }
+int getrf(int n, Complex* a, int* p) {
+  return LAPACKE_zgetrf_work(LAPACK_COL_MAJOR, n, n, a, n, p);
+}
 
 int getrs(char form, int n, int columns, const float* a, const int* p, float* b) {
   return LAPACKE_sgetrs_work(LAPACK_COL_MAJOR, form, n, columns, a, n, p, b, n);
@@ -107,7 +111,7 @@ typename Factorization<Scalar>::Matrix Factorization<Scalar>::refined(char form,
     x += change.template cast<Scalar>() * scale.asDiagonal();
     rest = b - product<Scalar>(matrix_, form == 'T', x);
     const Eigen::ArrayXd left = greatest(rest);
-    
+
     if (!left.allFinite()) break;
     if ((left <= kBackwardError * (norm_ * greatest(x) + size)).all()) return x;
   }

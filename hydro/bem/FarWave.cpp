@@ -56,8 +56,8 @@ FarWave::FarWave(const PanelPairs& pairs, const RankineMatrices& rankine)
   for (std::vector<char>& far : isFar_) far.assign(all * all, 1);
   for (int source = 0; source < pairs.all(); ++source)
     for (const NearPair& near : rankine.near(source))
-      isFar_[near.pair.mirrored ? 1 : 0]
-            [all * static_cast<std::size_t>(source) + static_cast<std::size_t>(near.pair.field)] = 0;
+      isFar_[near.pair.mirrored ? 1 : 0][all * static_cast<std::size_t>(source) +
+                                         static_cast<std::size_t>(near.pair.field)] = 0;
 }
 
 std::vector<FarWave::Block> FarWave::blocks(int all) const {
@@ -245,8 +245,8 @@ CUTWATER_VECTOR void FarWave::writeImages(const Target& target, double K,
   const bool onLid = (pairs_.isSource() ? field : source).begin >= pairs_.hull();
   const bool one = pairs_.parities() == 1;
   const RankineParts &own = rankine_.parts(parity),
-                     &other = rankine_.parts(one || parity == Parity::Odd ? Parity::Even
-                                                                          : Parity::Odd);
+                     &other =
+                         rankine_.parts(one || parity == Parity::Odd ? Parity::Even : Parity::Odd);
   for (int c = 0; c < source.size; ++c)
     for (int r = 0; r < field.size; ++r) {
       const auto k = static_cast<std::size_t>(exchanged ? kSide * r + c : kSide * c + r);

@@ -81,12 +81,12 @@ CUTWATER_INLINE WaveChange change(const Waves& w, Four X, Four count, const Pair
   const Pair4 d{-same * per0, -cross * per0}, e{same * per1, -cross * per1};
   const Four perX = 1.0 / atLeast(X, 0.5 * kFrom);
   const Four front = 0.5 * (m.across - m.along) * perX;
-  const Pair4 byValue = times(form, {1.0 + (front + m.alongUp) * d.re,
-                                     front * d.im + m.alongUp * (d.im + 1.0)});
+  const Pair4 byValue =
+      times(form, {1.0 + (front + m.alongUp) * d.re, front * d.im + m.alongUp * (d.im + 1.0)});
   const Pair4 bySlope = times(form, {1.0 + front * (e.re - 2.0 * perX) + m.alongUp * (e.re - perX),
                                      front * e.im + m.alongUp * (e.im + 1.0)});
-  const Pair4 turn = times(form, {m.mixed * perX * (e.re - 2.0 * perX) + m.acrossUp * perX,
-                                  m.mixed * perX * e.im});
+  const Pair4 turn = times(
+      form, {m.mixed * perX * (e.re - 2.0 * perX) + m.acrossUp * perX, m.mixed * perX * e.im});
   const Pair4 o{-count * w.Y0, -count * w.J0}, slope{count * w.Y1, count * w.J1};
   return {times(o, {byValue.re - 1.0, byValue.im}), times(slope, {bySlope.re - 1.0, bySlope.im}),
           times(slope, turn)};
@@ -141,16 +141,14 @@ CUTWATER_VECTOR void WaveTile::combine(double K) {
     const Four count = place * place * (3.0 - 2.0 * place);
     const Waves w{kTwoPi * load(J0, k), kTwoPi * load(J1, k), kTwoPi * load(Y0, k),
                   kTwoPi * load(Y1, k)};
-    const Moments m{KK * load(alongAlong, k),  KK * load(acrossAcross, k),
-                    KK * load(alongAcross, k), KK * load(alongUp, k),
-                    KK * load(acrossUp, k),    KK * load(upUp, k)};
+    const Moments m{KK * load(alongAlong, k), KK * load(acrossAcross, k), KK * load(alongAcross, k),
+                    KK * load(alongUp, k),    KK * load(acrossUp, k),     KK * load(upUp, k)};
     const WaveChange waves = change(w, x, count, {load(formRe, k), load(formIm, k)}, m);
 
     const Inverse r = inverse(1.0 / (K * load(R1, k)), x, load(Y, k));
     const Four squared = r.r * r.r, fourth = 1.0 / (1.0 + 256.0 * squared * squared);
     const Four part = images * fourth;
-    const Second real =
-        second(rest(f, fx, r, part, count * w.Y0, count * w.Y1), x, m);
+    const Second real = second(rest(f, fx, r, part, count * w.Y0, count * w.Y1), x, m);
     const Four left0 = (1.0 - count) * w.J0, left1 = (1.0 - count) * w.J1;
     const Second imaginary = second({left1, -left1, -left0, left1, left0}, x, m);
 

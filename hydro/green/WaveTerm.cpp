@@ -126,8 +126,8 @@ CUTWATER_INLINE void bessels(const Tables& tables, const double* X, const double
   for (std::size_t i = 0; i < count; ++i) {
     const bool silent = Y[i] >= kSilent && X[i] * X[i] + Y[i] * Y[i] > 36.0 * 36.0;
     const double E = silent ? 0.0 : std::exp(-Y[i]);
-    const Bessel f = X[i] < kBesselCells ? besselFromTable(tables.bessel.data(), X[i])
-                                         : besselByHankel(X[i]);
+    const Bessel f =
+        X[i] < kBesselCells ? besselFromTable(tables.bessel.data(), X[i]) : besselByHankel(X[i]);
     terms.J0[i] = E * f.J0;
     terms.J1[i] = E * f.J1;
     terms.Y0[i] = E * f.Y0;

@@ -57,8 +57,7 @@ PanelWave panelWave(const Panel& panel, const Eigen::Vector3cd& kappa, const Vec
     const EdgeWave edge = edgeWave(length, 0.5 * length * dot(kappa, along), at[i], at[(i + 1) % n],
                                    [&] { return std::exp(dot(kappa, middle - origin)); });
     wave.sum += weight * edge.sum;
-    wave.moment +=
-        weight * (edge.sum * (middle - panel.centroid) + edge.moment * along);
+    wave.moment += weight * (edge.sum * (middle - panel.centroid) + edge.moment * along);
   }
   wave.moment -= a * wave.sum;
   return wave;

@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "hydro/bem/Factorization.h"
+
+#include <gtest/gtest.h>
 
 #include "hydro/Conventions.h"
 

@@ -59,7 +59,8 @@ std::pair<double, double> errors(Formulation formulation, double K) {
 // third, (KL)³; at 3 rad/s a panel is two thirds of a wave and is resolved no longer by anything.
 TEST(FarWaveConvergence, OneEvaluationAPairAgainstBruteForce) {
   for (const Formulation formulation : {Formulation::Potential, Formulation::Source})
-    for (const auto& [omega, bound] : {std::pair{0.5, 4e-4}, {1.0, 6e-4}, {2.0, 3e-3}, {3.0, 1.5e-2}}) {
+    for (const auto& [omega, bound] :
+         {std::pair{0.5, 4e-4}, {1.0, 6e-4}, {2.0, 3e-3}, {3.0, 1.5e-2}}) {
       const auto [value, along] = errors(formulation, omega * omega / kGravity);
       EXPECT_LT(value, bound) << omega;
       EXPECT_LT(along, bound) << omega;

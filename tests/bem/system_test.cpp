@@ -24,11 +24,12 @@ Answer answer(const SurfaceMesh& wet, bool symmetric, const Vec3& cog) {
   const AiryWave wave{1.1, 2.2, kGravity};
   const auto system = systemAt(matrices, wave.waveNumber());
   const PanelMesh& mesh = matrices.mesh();
-  return {impulseMatrix(radiationPotentials(system, normals), normals, 1025.0),
-          solvedDiffraction(system, normals, incidentNormalVelocity(mesh, wave, cog), wave.omega,
-                            1025.0),
-          wave.omega * diffractionForce(adjointVectors(system, normals, 1025.0).omega, mesh, wave, cog),
-          froudeKrylovForce(mesh, wave, cog, 1025.0)};
+  return {
+      impulseMatrix(radiationPotentials(system, normals), normals, 1025.0),
+      solvedDiffraction(system, normals, incidentNormalVelocity(mesh, wave, cog), wave.omega,
+                        1025.0),
+      wave.omega * diffractionForce(adjointVectors(system, normals, 1025.0).omega, mesh, wave, cog),
+      froudeKrylovForce(mesh, wave, cog, 1025.0)};
 }
 
 TEST(SystemIdentity, HalfHullAndWholeHullGiveTheSame) {

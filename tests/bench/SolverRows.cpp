@@ -126,8 +126,8 @@ void benchParts(std::string& csv, int panels) {
   SolveSettings settings = sweep(8, 1);
   const Coefficients database = buildCoefficients(frigate(224), settings);
   const std::string path = (std::filesystem::temp_directory_path() / "cutwater_bench.h5").string();
-  put("output (8 frequencies of 224 panels)",
-      secondsOf([&] { writeCoefficients(database, path); }), 0.0);
+  put("output (8 frequencies of 224 panels)", secondsOf([&] { writeCoefficients(database, path); }),
+      0.0);
   std::filesystem::remove(path);
 }
 

@@ -1,11 +1,10 @@
-#include "hydro/database/SweepJournal.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
 #include "hydro/Errors.h"
+#include "hydro/database/SweepJournal.h"
 
 namespace cutwater::test {
 namespace {

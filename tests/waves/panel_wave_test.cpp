@@ -1,8 +1,7 @@
-#include "hydro/waves/PanelWave.h"
-
 #include <gtest/gtest.h>
 
 #include "hydro/geometry/PanelQuadrature.h"
+#include "hydro/waves/PanelWave.h"
 
 namespace cutwater::test {
 namespace {
