@@ -10,7 +10,6 @@ namespace cutwater {
 namespace {
 
 constexpr int kSide = WaveTile::kSide;
-constexpr double kG = -1.0 / (4.0 * kPi);
 /// Beyond this many panel diameters the second moments leave less than 1e-4 of −2/R₁.
 constexpr double kExactImage = 6.0;
 
@@ -23,7 +22,8 @@ CUTWATER_INLINE Complex between(const Complex* values, double place) {
 /// Place of the unit vector e in the table of form factors.
 CUTWATER_INLINE double placeOf(double ex, double ey) {
   const double sine = ey / (std::abs(ex) + std::abs(ey));
-  return FormFactors::kSteps / 4 * (ex < 0.0 ? 2.0 - sine : sine < 0.0 ? 4.0 + sine : sine);
+  constexpr double kQuadrant = 0.25 * FormFactors::kSteps;
+  return kQuadrant * (ex < 0.0 ? 2.0 - sine : sine < 0.0 ? 4.0 + sine : sine);
 }
 
 }  // namespace
@@ -211,7 +211,8 @@ CUTWATER_INLINE void writeColumns(const WaveTile::Column& re, const WaveTile::Co
 // see PanelPairs. Seen the other way round ê is −ê, with y mirrored where the field panel was.
 CUTWATER_VECTOR void FarWave::write(const Target& target, double K, const WaveTile& tile,
                                     Parity parity, InfluenceSystem<Complex>& system) const {
-  const auto [field, source, exchanged] = target;
+  const Block &field = target.field, &source = target.source;
+  const bool exchanged = target.exchanged;
   const RankineParts& part = rankine_.parts(parity);
   const auto put = [&](const WaveTile::Column& re, const WaveTile::Column& im,
                        const Eigen::MatrixXd& rigid, double factor, double wave,

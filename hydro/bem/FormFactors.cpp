@@ -7,9 +7,9 @@ namespace {
 
 /// Unit vector whose |sin|/(|sin| + |cos|), counted on through the quadrants, is step/32.
 Eigen::Vector2d directionOf(int step) {
-  const int quadrant = step / (FormFactors::kSteps / 4);
-  const double t =
-      static_cast<double>(step % (FormFactors::kSteps / 4)) / (FormFactors::kSteps / 4);
+  constexpr int kQuadrant = FormFactors::kSteps / 4;
+  const int quadrant = step / kQuadrant, within = step % kQuadrant;
+  const double t = static_cast<double>(within) / kQuadrant;
   Eigen::Vector2d e(1.0 - t, t);
   for (int q = 0; q < quadrant; ++q) e = Eigen::Vector2d(-e.y(), e.x());
   return e.normalized();

@@ -31,7 +31,6 @@
 namespace cutwater {
 namespace {
 
-constexpr double kG = -1.0 / (4.0 * kPi);
 constexpr double kLidFrom = 0.9;  // of the least resonance; see above
 
 }  // namespace

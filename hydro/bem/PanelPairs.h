@@ -9,6 +9,9 @@
 
 namespace cutwater {
 
+/// G = kG [1/R + …].
+inline constexpr double kG = -1.0 / (4.0 * kPi);
+
 /// How the influence of panel on panel is integrated.
 struct InfluenceSettings {
   Formulation formulation = Formulation::Potential;

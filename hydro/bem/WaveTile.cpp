@@ -128,19 +128,19 @@ void WaveTile::clear(double K) {
 
 void WaveTile::evaluate(double K) {
   waveTerms(X.data(), Y.data(), kPairs,
-            {F.data(), FX.data(), J0.data(), J1.data(), Y0.data(), Y1.data()});
+            {f_.data(), fx_.data(), j0_.data(), j1_.data(), y0_.data(), y1_.data()});
   combine(K);
 }
 
 CUTWATER_VECTOR void WaveTile::combine(double K) {
   const double KK = K * K, images = takeImages ? 2.0 : 0.0;
   for (std::size_t k = 0; k < kPairs; k += 4) {
-    const Four x = load(X, k), f = load(F, k), fx = load(FX, k), use = load(active, k);
+    const Four x = load(X, k), f = load(f_, k), fx = load(fx_, k), use = load(active, k);
     const Four ramp = atLeast((x - kFrom) / (kFully - kFrom), 0.0);
     const Four place = 1.0 - atLeast(1.0 - ramp, 0.0);
     const Four count = place * place * (3.0 - 2.0 * place);
-    const Waves w{kTwoPi * load(J0, k), kTwoPi * load(J1, k), kTwoPi * load(Y0, k),
-                  kTwoPi * load(Y1, k)};
+    const Waves w{kTwoPi * load(j0_, k), kTwoPi * load(j1_, k), kTwoPi * load(y0_, k),
+                  kTwoPi * load(y1_, k)};
     const Moments m{KK * load(alongAlong, k), KK * load(acrossAcross, k), KK * load(alongAcross, k),
                     KK * load(alongUp, k),    KK * load(acrossUp, k),     KK * load(upUp, k)};
     const WaveChange waves = change(w, x, count, {load(formRe, k), load(formIm, k)}, m);

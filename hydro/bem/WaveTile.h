@@ -39,7 +39,7 @@ struct WaveTile {
 
  private:
   void combine(double K);
-  Column F, FX, J0, J1, Y0, Y1;
+  Column f_, fx_, j0_, j1_, y0_, y1_;  // waveTerms of the pairs
 };
 
 }  // namespace cutwater
