@@ -42,10 +42,9 @@ std::string describe(const SolveSettings& settings, std::size_t lidPanels) {
          wordOf(kInfluenceWords, settings.influence) + "\"\n";
 }
 
-/// Highest frequency whose waves the panels at calm water resolve: K ℓ = 4, ℓ the longest edge of
-/// the lid, without lid of the waterline. On the frigate of 433 panels a side with two lids and of
-/// 1040 with one, the first ringing of A and B came at K ℓ = 4.1 to 4.4; a square panel of side ℓ
-/// is half a wave at π, and at √2 π along its diagonal.
+/// Highest frequency whose waves the panels at calm water resolve: K ℓ = π, half a wave, ℓ the longest
+/// edge of the lid, without lid of the waterline. On the frigate of 1040 panels a side (π at 3.80 rad/s)
+/// damping of pitch is within 1 % of that of 2000 panels up to there, 7 % off at 4.0 and 18 % at 4.2.
 double resolved(const PanelMesh& mesh, double gravity) {
   const bool lid = !mesh.lid.empty();
   double longest = 0.0;
@@ -57,7 +56,7 @@ double resolved(const PanelMesh& mesh, double gravity) {
       if (lid || std::max(-a.z(), -b.z()) < 1e-6 * edge) longest = std::max(longest, edge);
     }
   }
-  return longest > 0.0 ? std::sqrt(4.0 * gravity / longest) : 0.0;
+  return longest > 0.0 ? std::sqrt(kPi * gravity / longest) : 0.0;
 }
 
 /// The frequencies that the mask leaves.

@@ -81,10 +81,14 @@ CUTWATER_INLINE WaveChange change(const Waves& w, Four X, Four count, const Pair
   const Pair4 d{-same * per0, -cross * per0}, e{same * per1, -cross * per1};
   const Four perX = 1.0 / atLeast(X, 0.5 * kFrom);
   const Four front = 0.5 * (m.across - m.along) * perX;
+  const auto ofForm = [&form](const Pair4& c) {
+    const Pair4 cc = times(c, c);
+    return times(form, {1.0 + c.re + 0.9 * cc.re, c.im + 0.9 * cc.im});
+  };
   const Pair4 byValue =
-      times(form, {1.0 + (front + m.alongUp) * d.re, front * d.im + m.alongUp * (d.im + 1.0)});
-  const Pair4 bySlope = times(form, {1.0 + front * (e.re - 2.0 * perX) + m.alongUp * (e.re - perX),
-                                     front * e.im + m.alongUp * (e.im + 1.0)});
+      ofForm({(front + m.alongUp) * d.re, front * d.im + m.alongUp * (d.im + 1.0)});
+  const Pair4 bySlope = ofForm({front * (e.re - 2.0 * perX) + m.alongUp * (e.re - perX),
+                                front * e.im + m.alongUp * (e.im + 1.0)});
   const Pair4 turn = times(
       form, {m.mixed * perX * (e.re - 2.0 * perX) + m.acrossUp * perX, m.mixed * perX * e.im});
   const Pair4 o{-count * w.Y0, -count * w.J0}, slope{count * w.Y1, count * w.J1};
