@@ -11,6 +11,8 @@ struct ShipMotion {
   Vec6 etaDot = Vec6::Zero();       ///< η̇ [m/s, rad/s], mean over the tick that ended at t_n
   Vec6 etaDotNow = Vec6::Zero();    ///< η̇ extrapolated to t_n
   double meanX = 0.0, meanY = 0.0;  ///< mean position of G in E [m]
+  double meanHeading = 0.0;         ///< ψ̄ [rad]: x axis of H against E's, about +z
+  double speed = 0.0;               ///< U [m/s], mean speed along that axis
 };
 
 /// One part of the load on the ship. Adding a part is adding one class; parts do not know each
