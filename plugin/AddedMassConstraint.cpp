@@ -1,6 +1,7 @@
 #include "plugin/AddedMassConstraint.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -145,14 +146,22 @@ void AddedMassConstraint::pendingChange(Vec3& linear, Vec3& angular) const noexc
             fromBullet(gyroscopicChange(m_rbA, step_));
 }
 
-// The water's momentum of the last solve in the axes of then, p = Σ l (J·v⁻) J; seen in the axes of
-// now it stands for the velocity x·p/l along row r, which differs from J·v⁻ by what is returned.
+void AddedMassConstraint::setMean(const btVector3& velocity, double turn,
+                                  const btVector3& up) noexcept {
+  mean_ = fromBullet(velocity);
+  turns_ = turn != 0.0;
+  if (turns_) meanTurn_ = Eigen::AngleAxisd(turn, fromBullet(up)).toRotationMatrix();
+}
+
+// p⁻ in the axes of now stands for the velocity x·p⁻/l along row r, which differs from J·v⁻ by what is
+// returned. The momentum of v⁻ − V at the last solve is p = Σ l (J·(v⁻ − V)) J in the axes of then; that
+// of QV is taken in the axes of now, where it stands for J·QV itself.
 Vec6 AddedMassConstraint::changeByTurning(const btMatrix3x3& axesNow) const noexcept {
   Vec6 change = Vec6::Zero();
-  if (same(axesNow, pastAxes_)) return change;
+  if (!turns_ && same(axesNow, pastAxes_)) return change;
   const Mat3 toNow = fromBullet(axesNow).transpose(), toThen = fromBullet(pastAxes_).transpose();
-  const Vec3 linear = fromBullet(linear_), angular = fromBullet(angular_);
-  const Vec3 linearThen = toThen * linear, angularThen = toThen * angular;
+  const Vec3 angular = fromBullet(angular_), swung = fromBullet(linear_) - mean_;
+  const Vec3 linearThen = toThen * swung, angularThen = toThen * angular;
   Vec3 momentum = Vec3::Zero(), moment = Vec3::Zero();
   for (int r = 0; r < count_; ++r) {
     const Row& row = rows_[static_cast<std::size_t>(r)];
@@ -160,14 +169,21 @@ Vec6 AddedMassConstraint::changeByTurning(const btMatrix3x3& axesNow) const noex
     momentum += share * row.linear;
     moment += share * row.angular;
   }
-  const Mat3 turn = toNow * toThen.transpose();
+  Mat3 turn = toNow * toThen.transpose();
+  Vec3 meanChange = Vec3::Zero();  // QV − v⁻ in the axes of now
+  if (turns_) {
+    turn = toNow * meanTurn_ * toThen.transpose();
+    meanChange = toNow * (meanTurn_ * mean_ - fromBullet(linear_));
+  } else {
+    meanChange = -(toNow * swung);
+  }
   momentum = turn * momentum;
   moment = turn * moment;
-  const Vec3 linearNow = toNow * linear, angularNow = toNow * angular;
+  const Vec3 angularNow = toNow * angular;
   for (int r = 0; r < count_; ++r) {
     const Row& row = rows_[static_cast<std::size_t>(r)];
-    change[r] = (row.linearX.dot(momentum) + row.angularX.dot(moment)) / row.ratio -
-                row.linear.dot(linearNow) - row.angular.dot(angularNow);
+    change[r] = (row.linearX.dot(momentum) + row.angularX.dot(moment)) / row.ratio +
+                row.linear.dot(meanChange) - row.angular.dot(angularNow);
   }
   return change;
 }

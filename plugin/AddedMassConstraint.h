@@ -15,6 +15,12 @@ CUTWATER_PLUGIN_BEGIN
 ///     force = −d(R A∞ Rᵀ v)/dt,  so that A∞ v⁻ above is the momentum p⁻ at the last solve.
 /// Over any motion that returns on itself it sums to nothing: a rolling and heaving ship does not
 /// drift by it, as she would with R A∞ Rᵀ dv/dt (roll times heave acceleration has a mean).
+/// A ship under way has a mean velocity V and a mean heading that turns (setMean). What linear theory
+/// says of them is in its terms b(U), c(U), K^U; so V turns with the mean heading without any force,
+/// and the momentum of the rest is kept in axes that turn with it:
+///     p⁻ = R′A∞R′ᵀ QV + Q R A∞ Rᵀ(v⁻ − V),   Q the tick's turn of the mean heading, R′ the axes now
+/// In axes of the mean heading the force is then −d(A∞v)/dt: a hull that coasts and turns keeps
+/// ½vᵀ(M + A∞)v.                                                          theory: Traps, turning
 /// J_r M⁻¹ J_sᵀ = δ_rs (but for a heeled body's inertia in upright axes, where a few passes do):
 /// without contacts one Gauss-Seidel pass is exact. With contacts or joints the sweeps converge as
 /// (l/(1+l))ⁿ against a much heavier partner; see iterationsFor().
@@ -40,6 +46,9 @@ class AddedMassConstraint final : public btTypedConstraint {
     followed_ = axes;
     follows_ = true;
   }
+  /// V [units/s] in the world's axes at the last solve, and the turn of the mean heading since [rad] about
+  /// `up`. Call each tick before the solve; without it V = 0 and nothing turns.
+  void setMean(const btVector3& velocity, double turn, const btVector3& up) noexcept;
   /// Takes the velocity that the solver has just left, whatever actions did to the body since.
   void endTick() noexcept;
   /// Makes v⁻ the body's velocity as it is: what happened before is not felt by A∞.
@@ -88,6 +97,9 @@ class AddedMassConstraint final : public btTypedConstraint {
   btMatrix3x3 solved_;          // of the solve under way
   btMatrix3x3 followed_;        // the caller's
   bool follows_ = false;
+  Vec3 mean_ = Vec3::Zero();         // V in E
+  Mat3 meanTurn_ = Mat3::Identity();  // Q
+  bool turns_ = false;
   btJointFeedback feedback_;
 };
 

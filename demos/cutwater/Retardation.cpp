@@ -7,7 +7,7 @@
 #include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Csv.h"
 #include "hydro/database/CoefficientsFile.h"
-#include "hydro/memory/RetardationFunction.h"
+#include "hydro/memory/RetardationMatrix.h"
 
 namespace cutwater::command {
 

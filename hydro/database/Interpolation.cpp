@@ -72,6 +72,11 @@ Mat6 vanishing(const Coefficients& c, const std::vector<Mat6>& data, std::size_t
   return sum;
 }
 
+/// How many of ∂A, ∂B are good: all once they are continued, which goes with a consistent A(∞).
+std::size_t goodCountX(const Coefficients& c) {
+  return c.addedMassInfDirect.isZero(0.0) ? resolvedCount(c) : c.omega.size();
+}
+
 Adjoint vectorsAt(const char* function, const Coefficients& c, const std::vector<Adjoint>& data,
                   const Adjoint& zero, const Adjoint& inf, double omega) {
   const std::size_t count = inf.cols() > 0 ? resolvedCount(c) : c.omega.size();
@@ -137,13 +142,13 @@ Mat6 dampingAt(const Coefficients& c, double omega) {
 Mat6 addedMassXAt(const Coefficients& c, double omega) {
   checkOmega("addedMassXAt", c, omega);
   requireData("addedMassXAt", c, c.addedMassX.size(), "x-derivatives (added_mass_x)");
-  return toInfinity(c, c.addedMassXZero, c.addedMassX, c.addedMassXInf, resolvedCount(c), omega);
+  return toInfinity(c, c.addedMassXZero, c.addedMassX, c.addedMassXInf, goodCountX(c), omega);
 }
 
 Mat6 dampingXAt(const Coefficients& c, double omega) {
   checkOmega("dampingXAt", c, omega);
   requireData("dampingXAt", c, c.dampingX.size(), "x-derivatives (damping_x)");
-  return vanishing(c, c.dampingX, resolvedCount(c), omega);
+  return vanishing(c, c.dampingX, goodCountX(c), omega);
 }
 
 Coefficients::AdjointVectors adjointAt(const Coefficients& c, double omega) {

@@ -13,6 +13,7 @@ struct ShipMotion {
   double meanX = 0.0, meanY = 0.0;  ///< mean position of G in E [m]
   double meanHeading = 0.0;         ///< ψ̄ [rad]: x axis of H against E's, about +z
   double speed = 0.0;               ///< U [m/s], mean speed along that axis
+  double turnRate = 0.0;            ///< dψ̄/dt [rad/s]; η̇₆ is what she turns beyond it
 };
 
 /// One part of the load on the ship. Adding a part is adding one class; parts do not know each

@@ -35,14 +35,22 @@ Mat6 directLimit(const Coefficients& c) {
   return 0.5 * (direct + direct.transpose());
 }
 
-/// @param memory  of `c`.
-ConsistentLimit limitOf(const Coefficients& c, const RetardationMatrix& memory) {
+std::vector<Mat6> overBand(const Coefficients& c,
+                           const std::function<Mat6(std::size_t frequency)>& value) {
   const double last = c.omega[resolvedCount(c) - 1];
   std::vector<Mat6> values;
   for (std::size_t i = 0; i < c.omega.size(); ++i) {
     if (c.omega[i] < kBandStart * last || c.omega[i] > kBandEnd * last) continue;
-    values.push_back(memory.addedMassInf(c.omega[i], c.addedMass[i]));
+    values.push_back(value(i));
   }
+  return values;
+}
+
+/// @param memory  of `c`.
+ConsistentLimit limitOf(const Coefficients& c, const RetardationMatrix& memory) {
+  const std::vector<Mat6> values = overBand(c, [&](std::size_t i) {
+    return memory.addedMassInf(c.omega[i], c.addedMass[i]);
+  });
   ConsistentLimit limit;
   const Mat6 direct = directLimit(c);
   if (values.empty() || !(direct.diagonal().head<3>().maxCoeff() > 0.0)) return limit;
@@ -58,10 +66,20 @@ ConsistentLimit limitOf(const Coefficients& c, const RetardationMatrix& memory) 
 
 }  // namespace
 
+std::optional<Mat6> meanOverBand(const Coefficients& c,
+                                 const std::function<Mat6(std::size_t frequency)>& value) {
+  const std::vector<Mat6> values = overBand(c, value);
+  if (values.empty()) return {};
+  Mat6 sum = Mat6::Zero();
+  for (const Mat6& one : values) sum += one;
+  return sum / static_cast<double>(values.size());
+}
+
 ConsistentLimit consistentLimit(const Coefficients& c) { return limitOf(c, RetardationMatrix(c)); }
 
 Coefficients withConsistentLimit(Coefficients coefficients) {
-  const RetardationMatrix memory(coefficients);  // of B alone: the new A(∞) does not change it
+  // K, D and ∂A(∞) come from B, ∂A and ∂B alone: the new A(∞) does not change them.
+  const RetardationMatrix memory(coefficients, ForwardSpeedForm::Report);
   const ConsistentLimit limit = limitOf(coefficients, memory);
   if (!limit.trusted) return coefficients;
   if (coefficients.addedMassInfDirect.isZero(0.0))
@@ -71,11 +89,18 @@ Coefficients withConsistentLimit(Coefficients coefficients) {
     const double omega = coefficients.omega[i];
     coefficients.damping[i] = memory.damping(omega);
     coefficients.addedMass[i] = limit.addedMassInf - memory.sineTransform(omega) / omega;
+    if (!memory.hasSpeedTerms()) continue;
+    coefficients.dampingX[i] = memory.dampingX(omega);
+    coefficients.addedMassX[i] = memory.addedMassX(omega);
   }
+  if (memory.hasSpeedTerms()) coefficients.addedMassXInf = memory.addedMassXInf();
   return coefficients;
 }
 
 Coefficients readyForUse(Coefficients solved) {
+  for (auto* matrices : {&solved.addedMass, &solved.damping}) {
+    for (Mat6& m : *matrices) m = (0.5 * (m + m.transpose())).eval();
+  }
   return withConsistentLimit(applyMask(std::move(solved)));
 }
 

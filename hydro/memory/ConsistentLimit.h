@@ -1,5 +1,8 @@
 #pragma once
-#include "hydro/memory/RetardationFunction.h"
+#include <functional>
+#include <optional>
+
+#include "hydro/memory/RetardationMatrix.h"
 
 namespace cutwater {
 
@@ -21,15 +24,21 @@ struct ConsistentLimit {
   bool trusted = false;
 };
 
+/// Mean of `value` over the frequencies of that band; nothing if it holds none.
+std::optional<Mat6> meanOverBand(const Coefficients& coefficients,
+                                 const std::function<Mat6(std::size_t frequency)>& value);
+
 /// @throws HydroError as RetardationMatrix.
 ConsistentLimit consistentLimit(const Coefficients& coefficients);
 
 /// The same coefficients with the consistent A(∞) as `addedMassInf` and the solver's own kept as
 /// `addedMassInfDirect`, if it is to be trusted; else unchanged. Above `resolvedOmega`, where the solver's A and B ring,
-/// they become the memory's continuation: B by its tail, A = A(∞) − (1/ω)∫K sin ωτ dτ.
+/// they become the memory's continuation: B by its tail, A = A(∞) − (1/ω)∫K sin ωτ dτ, and ∂A, ∂B alike,
+/// with a consistent ∂A(∞).
 Coefficients withConsistentLimit(Coefficients coefficients);
 
-/// What a solver gave, made ready for readers and the time domain: applyMask (IrregularFrequencies.h),
+/// What a solver gave, made ready for readers and the time domain: A and B symmetrised (Timman & Newman
+/// 1962; what is left of A_jk − A_kj is discretisation error), applyMask (IrregularFrequencies.h),
 /// then withConsistentLimit, for K must not see a resonance that the mask takes out.
 /// @throws HydroError as applyMask and RetardationMatrix.
 Coefficients readyForUse(Coefficients solved);

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
-#include "hydro/memory/RetardationFunction.h"
+#include "hydro/memory/RetardationMatrix.h"
 
 namespace cutwater {
 
@@ -23,6 +23,10 @@ double dotProduct(const double* a, const double* b, std::size_t n) noexcept {
     for (std::size_t l = 0; l < kLanes; ++l) lane[l] += a[i + l] * b[i + l];
   }
   return ((lane[0] + lane[4]) + (lane[1] + lane[5])) + ((lane[2] + lane[6]) + (lane[3] + lane[7]));
+}
+
+const Mat6& partOf(const SpeedKernels& k, std::size_t part) {
+  return part == 0 ? k.atRest : part == 1 ? k.linear : k.squared;
 }
 
 std::size_t ticksOf(double step, double duration) {
@@ -43,29 +47,43 @@ std::size_t ticksOf(double step, double duration) {
 
 }  // namespace
 
-Convolution::Convolution(const RetardationMatrix& retardation, double step, double duration)
+ConvolutionWeights::ConvolutionWeights(const RetardationMatrix& retardation, double step,
+                                       double duration)
     : step_(step),
       length_(ticksOf(step, duration == 0.0 ? retardation.duration() : duration)),
-      ring_((length_ + kLanes - 1) / kLanes * kLanes),
-      past_(6 * 2 * ring_, 0.0) {
-  for (int j = 0; j < 6; ++j) {
-    for (int k = 0; k < 6; ++k) {
-      if (!retardation.isZero(j, k)) pairs_.push_back({j, k, pairs_.size() * ring_});
-    }
-  }
-  weights_.assign(pairs_.size() * ring_, 0.0);
-  Mat6 before = Mat6::Zero();
+      ring_((length_ + kLanes - 1) / kLanes * kLanes) {
+  std::vector<SpeedKernels> cells;
+  cells.reserve(length_);
+  std::array<Mat6, 3> size{Mat6::Zero(), Mat6::Zero(), Mat6::Zero()}, sum = size;
   for (std::size_t i = 0; i < length_; ++i) {
-    const Mat6 after = retardation.integral(static_cast<double>(i + 1) * step_);
-    for (const Pair& pair : pairs_) {
-      weights_[pair.offset + i] = before(pair.j, pair.k) - after(pair.j, pair.k);
+    const double begin = static_cast<double>(i) * step_;
+    const SpeedKernels cell = retardation.integrals(begin, begin + step_);
+    cells.push_back(cell);
+    for (std::size_t part = 0; part < 3; ++part) {
+      size[part] = size[part].cwiseMax(partOf(cell, part).cwiseAbs());
+      sum[part] += partOf(cell, part);
     }
-    before = after;
   }
-  for (const Pair& pair : pairs_) balance(&weights_[pair.offset], before(pair.j, pair.k));
+  const Mat6 lineTotal = retardation.linearTotal();
+  for (int n = 0; n < 36; ++n) {
+    const int j = n / 6, k = n % 6;
+    const Pair pair{j, k, pairs_.size() * ring_,
+                    {size[0](j, k) > 0.0, size[1](j, k) > 0.0, size[2](j, k) > 0.0}};
+    if (pair.holds[0] || pair.holds[1] || pair.holds[2]) pairs_.push_back(pair);
+  }
+  for (auto& part : weights_) part.assign(pairs_.size() * ring_, 0.0);
+  for (const Pair& pair : pairs_) {
+    for (std::size_t part = 0; part < 3; ++part) {
+      double* run = weights_[part].data() + pair.offset;
+      for (std::size_t i = 0; i < length_; ++i) run[i] = -partOf(cells[i], part)(pair.j, pair.k);
+      if (pair.holds[part] && part == 0) balance(run, sum[0](pair.j, pair.k));
+      if (pair.holds[part] && part == 1)
+        balance(run, sum[1](pair.j, pair.k) - lineTotal(pair.j, pair.k));
+    }
+  }
 }
 
-void Convolution::balance(double* run, double missing) const {
+void ConvolutionWeights::balance(double* run, double missing) const {
   const std::size_t width = std::max<std::size_t>(1, length_ / 4), first = length_ - width;
   std::vector<double> bump(width);
   double sum = 0.0;
@@ -77,46 +95,54 @@ void Convolution::balance(double* run, double missing) const {
   for (std::size_t i = 0; i < width; ++i) run[first + i] += missing * bump[i] / sum;
 }
 
-Vec6 Convolution::advance(const Vec6& etaDot) noexcept {
-  next_ = (next_ == 0 ? ring_ : next_) - 1;
-  for (int mode = 0; mode < 6; ++mode) {
+Convolution::Convolution(std::shared_ptr<const ConvolutionWeights> weights)
+    : weights_(std::move(weights)), past_(6 * 2 * weights_->ring(), 0.0) {}
+
+Vec6 Convolution::advance(const Vec6& etaDot, double speed) noexcept {
+  const ConvolutionWeights& w = *weights_;
+  next_ = (next_ == 0 ? w.ring() : next_) - 1;
+  for (std::size_t mode = 0; mode < 6; ++mode) {
     double* ring = ringOf(mode);
-    ring[next_] = ring[next_ + ring_] = etaDot(mode);
+    ring[next_] = ring[next_ + w.ring()] = etaDot(static_cast<int>(mode));
   }
+  const double share[3] = {1.0, speed, speed * speed};
   Vec6 force = Vec6::Zero();
-  for (const Pair& pair : pairs_) {
-    force(pair.j) += dotProduct(&weights_[pair.offset], ringOf(pair.k) + next_, ring_);
+  for (const auto& pair : w.pairs()) {
+    const double* past = ringOf(static_cast<std::size_t>(pair.k)) + next_;
+    for (std::size_t part = 0; part < 3; ++part) {
+      if (!pair.holds[part] || share[part] == 0.0) continue;
+      force(pair.j) += share[part] * dotProduct(w.run(part, pair), past, w.ring());
+    }
   }
   return force;
 }
 
 void Convolution::reset() noexcept { std::fill(past_.begin(), past_.end(), 0.0); }
 
-Convolution::Snapshot Convolution::save() const {
-  Snapshot snapshot{std::vector<Vec6>(ring_), next_, step_};
-  for (std::size_t i = 0; i < ring_; ++i) {
-    for (std::size_t mode = 0; mode < 6; ++mode) {
-      snapshot.past[i](static_cast<int>(mode)) = past_[mode * 2 * ring_ + i];
-    }
+void Convolution::save(std::span<double> state) const noexcept {
+  const std::size_t ring = weights_->ring();
+  state[0] = weights_->step();
+  state[1] = static_cast<double>(next_);
+  for (std::size_t mode = 0; mode < 6; ++mode) {
+    std::copy_n(past_.data() + mode * 2 * ring, ring, state.data() + 2 + mode * ring);
   }
-  return snapshot;
 }
 
-void Convolution::restore(const Snapshot& snapshot) {
-  if (snapshot.past.size() != ring_ || snapshot.next >= ring_ || snapshot.step != step_) {
-    throw HydroError(
-        Fault::BadArgument,
-        fmt::format("Convolution::restore: snapshot of {} ticks of {} s at place {}, this "
-                    "memory has {} of {} s",
-                    snapshot.past.size(), snapshot.step, snapshot.next, ring_, step_));
+void Convolution::restore(std::span<const double> state) {
+  const std::size_t ring = weights_->ring();
+  if (state.size() != stateSize() || state[0] != weights_->step() ||
+      !(state[1] >= 0.0 && state[1] < static_cast<double>(ring))) {
+    throw HydroError(Fault::BadArgument,
+                     fmt::format("Convolution::restore: state of {} numbers, this memory of {} "
+                                 "ticks of {} s has {}",
+                                 state.size(), ring, weights_->step(), stateSize()));
   }
-  for (std::size_t i = 0; i < ring_; ++i) {
-    for (int mode = 0; mode < 6; ++mode) {
-      double* ring = ringOf(mode);
-      ring[i] = ring[i + ring_] = snapshot.past[i](mode);
+  next_ = static_cast<std::size_t>(state[1]);
+  for (std::size_t mode = 0; mode < 6; ++mode) {
+    for (const std::size_t half : {std::size_t{0}, ring}) {
+      std::copy_n(state.data() + 2 + mode * ring, ring, ringOf(mode) + half);
     }
   }
-  next_ = snapshot.next;
 }
 
 }  // namespace cutwater

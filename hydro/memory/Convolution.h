@@ -1,67 +1,74 @@
 #pragma once
+#include <array>
+#include <memory>
 #include <vector>
 
-#include "hydro/Conventions.h"
+#include "hydro/memory/RadiationMemory.h"
 
 namespace cutwater {
 
 class RetardationMatrix;
 
-/// Force of the radiated waves' memory at fixed ticks, the exact sum of [M03] (30):
-///   F(t_n) = −∫₀^{T} K(τ) η̇(t_n − τ) dτ ≈ −Σ_i K̄_i η̇_{n−i},   K̄_i = ∫ K over [i h, (i+1) h].
-/// η̇_n is the mean velocity over the tick that ends at t_n (in Bullet: the velocity after the
-/// solve, which moved the body over that tick), so the sum is second order in h and sees ∫K dτ
-/// exactly.
+/// Weights K̄_i of a convolution, shared by all ships of a kind. Immutable.
 ///
-/// ∫₀^∞ K dτ = 0, but ∫₀^T K is only small. What is missing is added to the last quarter of the
-/// weights, as a smooth bump, so that Σ K̄ = 0: a steady velocity feels no memory at all, however
+/// ∫₀^∞ K dτ is known (0 for K⁰), but the memory ends at T. What is missing of K⁰ and K^U is added to the
+/// last quarter of the weights, as a smooth bump: a steady velocity feels no memory at rest, however
 /// short the duration.
-///
-/// Frame H; forces and moments about G. State: a ring of past velocities. No allocation after
-/// construction. One thread at a time. A tick costs 18 dot products of `length()` for a symmetric
-/// hull: about 10 µs at 1500 ticks. A velocity that is not finite spoils the ring: reset() or
-/// restore() after it.
-class Convolution {
+class ConvolutionWeights {
  public:
   /// @param step h [s] > 0.  @param duration [s] ≥ 0: memory is cut off there (0: K's own).
   /// @throws HydroError ValueOutOfRange, also for more than 10⁶ ticks of memory.
-  Convolution(const RetardationMatrix& retardation, double step, double duration = 0.0);
+  ConvolutionWeights(const RetardationMatrix& retardation, double step, double duration = 0.0);
 
   double step() const noexcept { return step_; }
-  /// Number of past ticks remembered.
-  std::size_t length() const noexcept { return length_; }
-  /// Enters the velocity of the tick just ended and returns F(t_n) [N, N·m].
-  Vec6 advance(const Vec6& etaDot) noexcept;
-  /// Forgets: as if at rest on the mean course for ever.
-  void reset() noexcept;
+  std::size_t length() const noexcept { return length_; }  ///< ticks remembered
+  std::size_t ring() const noexcept { return ring_; }      ///< length, rounded up to a multiple of 8
 
-  /// Exact state. restore(save()) gives the same bits ever after.
-  struct Snapshot {
-    std::vector<Vec6> past;  ///< η̇ by place in the ring
-    std::size_t next = 0;    ///< place of the newest; older ones follow, cyclically
-    double step = 0.0;       ///< h [s]
-  };
-  Snapshot save() const;
-  /// @throws HydroError BadArgument if it was taken with another length or tick.
-  void restore(const Snapshot& snapshot);
-
- private:
   struct Pair {
     int j, k;
-    std::size_t offset;  // of its run in weights_
+    std::size_t offset;  ///< of its run
+    std::array<bool, 3> holds;  ///< of K⁰, K^U, K^UU: what is not zero
   };
-  void balance(double* run, double missing) const;
-  double* ringOf(int mode) noexcept {
-    return past_.data() + static_cast<std::size_t>(mode) * 2 * ring_;
+  const std::vector<Pair>& pairs() const noexcept { return pairs_; }
+  /// −K̄ of part 0, 1, 2 (K⁰, K^U, K^UU), ring() numbers from the newest tick on.
+  const double* run(std::size_t part, const Pair& pair) const noexcept {
+    return weights_[part].data() + pair.offset;
   }
 
+ private:
+  void balance(double* run, double missing) const;
+
   double step_;
-  std::size_t length_;        // ticks remembered
-  std::size_t ring_;          // places in the ring: length_ rounded up to a multiple of 8
+  std::size_t length_, ring_;
+  std::vector<Pair> pairs_;
+  std::array<std::vector<double>, 3> weights_;
+};
+
+/// The memory as that sum itself, the oracle. State: a ring of past velocities. A tick costs up to three
+/// dot products of length() for each of the 18 pairs of a symmetric hull: about 10 µs at rest with 1500
+/// ticks.
+class Convolution final : public RadiationMemory {
+ public:
+  explicit Convolution(std::shared_ptr<const ConvolutionWeights> weights);
+  /// Weights of its own.  @throws as ConvolutionWeights.
+  Convolution(const RetardationMatrix& retardation, double step, double duration = 0.0)
+      : Convolution(std::make_shared<ConvolutionWeights>(retardation, step, duration)) {}
+
+  double step() const noexcept override { return weights_->step(); }
+  std::size_t length() const noexcept { return weights_->length(); }
+  using RadiationMemory::advance;
+  Vec6 advance(const Vec6& etaDot, double speed) noexcept override;
+  void reset() noexcept override;
+  std::size_t stateSize() const noexcept override { return 2 + 6 * weights_->ring(); }
+  void save(std::span<double> state) const noexcept override;
+  void restore(std::span<const double> state) override;
+
+ private:
+  double* ringOf(std::size_t mode) noexcept { return past_.data() + mode * 2 * weights_->ring(); }
+
+  std::shared_ptr<const ConvolutionWeights> weights_;
   std::vector<double> past_;  // per mode the ring twice over: any window of it is one straight run
   std::size_t next_ = 0;      // place of the newest
-  std::vector<Pair> pairs_;   // only those that are not zero
-  std::vector<double> weights_;  // −K̄, one run of ring_ per pair, newest tick first
 };
 
 }  // namespace cutwater

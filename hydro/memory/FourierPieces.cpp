@@ -7,23 +7,19 @@ namespace cutwater::fourier {
 namespace {
 
 constexpr double kEulerGamma = 0.57721566490153286;
-constexpr int kLast = kGreatestPower + 2;
+constexpr int kLast = kGreatestPower + 3;
 
-/// Ascending series of j_n: θⁿ/(2n+1)!! Σ_k (−θ²/2)^k / (k! (2n+3)(2n+5)…(2n+2k+1)).
-std::array<double, 5> besselSeries(double theta) noexcept {
-  std::array<double, 5> j{};
+/// Ascending series of j_n: θⁿ/(2n+1)!! Σ_k (−θ²/2)^k / (k! (2n+3)(2n+5)…(2n+2k+1)); to θ = 8 no more
+/// than three digits cancel.
+double besselTerm(int n, double theta) noexcept {
   const double x = -0.5 * theta * theta;
-  double lead = 1.0;
-  for (int n = 0; n < 5; ++n) {
-    double term = 1.0, sum = 1.0;
-    for (int k = 1; k < 10; ++k) {
-      term *= x / (k * (2.0 * n + 2.0 * k + 1.0));
-      sum += term;
-    }
-    j[static_cast<std::size_t>(n)] = lead * sum;
-    lead *= theta / (2.0 * n + 3.0);
+  double lead = 1.0, term = 1.0, sum = 1.0;
+  for (int i = 0; i < n; ++i) lead *= theta / (2.0 * i + 3.0);
+  for (int k = 1; k < 40 && std::abs(term) > 1e-17; ++k) {
+    term *= x / (k * (2.0 * n + 2.0 * k + 1.0));
+    sum += term;
   }
-  return j;
+  return lead * sum;
 }
 
 /// Power series of E_n about z = 0 [DLMF 8.19.8], z = −ia.
@@ -62,14 +58,36 @@ Complex tailFraction(int n, double a) noexcept {
 }  // namespace
 
 std::array<double, 5> sphericalBessel(double theta) noexcept {
-  if (theta < 1.0) return besselSeries(theta);
   std::array<double, 5> j{};
+  if (theta < 1.0) {
+    for (std::size_t n = 0; n < 5; ++n) j[n] = besselTerm(static_cast<int>(n), theta);
+    return j;
+  }
   j[0] = std::sin(theta) / theta;
   j[1] = (j[0] - std::cos(theta)) / theta;
   for (std::size_t n = 1; n < 4; ++n) {
     j[n + 1] = static_cast<double>(2 * n + 1) / theta * j[n] - j[n - 1];
   }
   return j;
+}
+
+std::array<double, 8> sphericalBessel8(double theta) noexcept {
+  std::array<double, 8> j{};
+  const auto low = sphericalBessel(theta);
+  for (std::size_t n = 0; n < 5; ++n) j[n] = low[n];
+  for (std::size_t n = 5; n < 8; ++n) {  // upwards where that is stable, n < θ
+    const double order = static_cast<double>(n);
+    j[n] = theta < 8.0 ? besselTerm(static_cast<int>(n), theta)
+                       : (2.0 * order - 1.0) / theta * j[n - 1] - j[n - 2];
+  }
+  return j;
+}
+
+std::array<double, 8> cosineWeights(double a, double b, double tau) noexcept {
+  const double width = b - a, centre = 0.5 * (a + b);
+  const auto j = sphericalBessel8(0.5 * width * tau);
+  const double c = width * std::cos(centre * tau), s = width * std::sin(centre * tau);
+  return {j[0] * c, -j[1] * s, -j[2] * c, j[3] * s, j[4] * c, -j[5] * s, -j[6] * c, j[7] * s};
 }
 
 CellWeights cellWeights(double a, double b, double tau) noexcept {

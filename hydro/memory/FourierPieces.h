@@ -16,15 +16,20 @@ struct CellWeights {
 };
 CellWeights cellWeights(double a, double b, double tau) noexcept;
 
+/// ∫ P_n cos ωτ dω for n = 0..7, for what is smooth but no polynomial (B/ω²) [rad/s].
+std::array<double, 8> cosineWeights(double a, double b, double tau) noexcept;
+
 /// j_0..j_4 at θ ≥ 0, absolute error below 1e-14.
 std::array<double, 5> sphericalBessel(double theta) noexcept;
+/// j_0..j_7 alike.
+std::array<double, 8> sphericalBessel8(double theta) noexcept;
 
 inline constexpr int kLeastPower = 3;      ///< slowest decay of a tail, (Ω/ω)³
 inline constexpr int kGreatestPower = 12;  ///< steepest
 
-/// E_n(−ia) = ∫₁^∞ t^{−n} e^{iat} dt for n = kLeastPower .. kGreatestPower + 2, a ≥ 0: transforms
+/// E_n(−ia) = ∫₁^∞ t^{−n} e^{iat} dt for n = kLeastPower .. kGreatestPower + 3, a ≥ 0: transforms
 /// of power-law tails [DLMF 8.19]. Absolute error below 1e-12.
-using TailTable = std::array<Complex, kGreatestPower + 3 - kLeastPower>;
+using TailTable = std::array<Complex, kGreatestPower + 4 - kLeastPower>;
 TailTable tailIntegrals(double a) noexcept;
 
 template <std::size_t N>

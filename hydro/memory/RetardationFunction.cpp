@@ -88,6 +88,25 @@ double legendre4(const std::array<double, 4>& q, double s) {
   return q[0] + q[1] * s + q[2] * p2 + q[3] * p3;
 }
 
+/// Legendre coefficients of q(ω)/ω over the cell c ± h, by the Gauss points of degree 15. In the first
+/// cell, from ω = 0, q/ω is a polynomial too.
+std::array<double, 8> overOmega(const std::array<double, 4>& q, double c, double h) {
+  static const fourier::GaussRule<8> rule;
+  std::array<double, 8> r{};
+  for (std::size_t g = 0; g < 8; ++g) {
+    const double s = rule.node[g], value = legendre4(q, s) / (c + h * s);
+    double p = 1.0, before = 0.0;
+    for (std::size_t n = 0; n < 8; ++n) {
+      const double order = static_cast<double>(n);
+      r[n] += (order + 0.5) * rule.weight[g] * value * p;
+      const double next = ((2.0 * order + 1.0) * s * p - order * before) / (order + 1.0);
+      before = p;
+      p = next;
+    }
+  }
+  return r;
+}
+
 }  // namespace
 
 RetardationFunction::RetardationFunction(std::span<const double> omega,
@@ -134,7 +153,9 @@ void RetardationFunction::fitPieces(std::span<const double> damping) {
     const double b4 = h * m3;
     pieces_.push_back({{b0 + b2 / 3.0 + b4 / 5.0, b1 + 0.6 * b3, b2 / 1.5 + b4 * (4.0 / 7.0),
                         0.4 * b3, b4 * (8.0 / 35.0)},
-                       {m0 + m2 / 3.0, m1 + 0.6 * m3, m2 / 1.5, 0.4 * m3}});
+                       {m0 + m2 / 3.0, m1 + 0.6 * m3, m2 / 1.5, 0.4 * m3},
+                       {}});
+    pieces_.back().r = overOmega(pieces_.back().q, c, h);
   }
 }
 
@@ -159,6 +180,15 @@ double RetardationFunction::integral(double tau) const noexcept {
   }
   const auto table = fourier::tailIntegrals(nodes_.back() * tau);
   return kTwoOverPi * (sum + tailTransform(table, 1).imag());
+}
+
+double RetardationFunction::remaining(double tau) const noexcept {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    sum += fourier::dot(pieces_[i].r, fourier::cosineWeights(nodes_[i], nodes_[i + 1], tau));
+  }
+  const double end = nodes_.back();
+  return kTwoOverPi * (sum + tailTransform(fourier::tailIntegrals(end * tau), 2).real() / end);
 }
 
 double RetardationFunction::dampingInCell(std::size_t cell, double omega) const noexcept {

@@ -1,12 +1,16 @@
+#include "hydro/memory/RetardationMatrix.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "hydro/Errors.h"
+#include "hydro/database/ForwardSpeed.h"
 #include "hydro/database/Interpolation.h"
+#include "hydro/memory/ConsistentLimit.h"
 #include "hydro/memory/FourierPieces.h"
-#include "hydro/memory/RetardationFunction.h"
 
 namespace cutwater {
 
@@ -35,27 +39,67 @@ double medianStep(const std::vector<double>& nodes) {
   return *middle;
 }
 
+/// The functions of those (j, k) of `pairs` that do not vanish by symmetry.
+template <class Value>
+struct Sampler {
+  std::span<const double> omega;
+  const Vec6& scale;
+  Value value;  // of (frequency, j, k)
+
+  std::optional<RetardationFunction> function(int j, int k) const {
+    std::vector<double> values(omega.size());
+    double largest = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = value(i, j, k);
+      largest = std::isfinite(values[i]) ? std::max(largest, std::abs(values[i])) : HUGE_VAL;
+    }
+    if (largest <= kZeroPair * std::sqrt(scale(j) * scale(k)) && !values.empty()) return {};
+    return RetardationFunction(omega, values);
+  }
+};
+
 }  // namespace
 
-RetardationMatrix::RetardationMatrix(const Coefficients& coefficients) {
+RetardationMatrix::RetardationMatrix(const Coefficients& coefficients,
+                                     std::optional<ForwardSpeedForm> form)
+    : form_(form.value_or(coefficients.forwardSpeed)) {
   const Vec6 scale = dampingScale(coefficients);
-  const std::size_t count = resolvedCount(coefficients);
-  const std::span omega(coefficients.omega.data(), count);
-  const std::span matrices(coefficients.damping.data(),
-                           std::min(count, coefficients.damping.size()));
-  std::vector<double> values(matrices.size());
+  const std::size_t count =
+      std::min(resolvedCount(coefficients), coefficients.damping.size());
+  const auto& B = coefficients.damping;
+  const auto mean = [&](std::size_t i, int j, int k) { return 0.5 * (B[i](j, k) + B[i](k, j)); };
+  const Sampler sampler{std::span(coefficients.omega.data(), resolvedCount(coefficients)).first(count),
+                        scale, mean};
   for (int j = 0; j < 6; ++j) {
     for (int k = j; k < 6; ++k) {
-      double largest = 0.0;
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] = 0.5 * (matrices[i](j, k) + matrices[i](k, j));
-        largest = std::isfinite(values[i]) ? std::max(largest, std::abs(values[i])) : HUGE_VAL;
-      }
-      if (largest <= kZeroPair * std::sqrt(scale(j) * scale(k)) && !values.empty()) continue;
-      entries_.push_back({j, k, RetardationFunction(omega, values)});
+      if (auto found = sampler.function(j, k)) entries_.push_back({j, k, std::move(*found)});
     }
   }
   duration_ = findDuration();
+  addSpeedTerms(coefficients, scale);
+}
+
+void RetardationMatrix::addSpeedTerms(const Coefficients& c, const Vec6& scale) {
+  const Mat6 T = tuckMatrix(), A = 0.5 * (c.addedMassInf + c.addedMassInf.transpose());
+  if (form_ == ForwardSpeedForm::Tuck) {
+    addedMassXInf_ = T * A;
+  } else {
+    if (c.addedMassX.empty() || c.dampingX.empty()) return;
+    const std::size_t count = std::min(resolvedCount(c), c.dampingX.size());
+    const auto value = [&](std::size_t i, int j, int k) { return c.dampingX[i](j, k); };
+    const Sampler sampler{std::span(c.omega.data(), count), scale, value};
+    for (int n = 0; n < 36; ++n) {
+      if (auto found = sampler.function(n / 6, n % 6))
+        entriesX_.push_back({n / 6, n % 6, std::move(*found)});
+    }
+    const auto seen = [&](std::size_t i) {
+      return Mat6(c.addedMassX[i] + sineTransformX(c.omega[i]) / c.omega[i]);
+    };
+    addedMassXInf_ = meanOverBand(c, seen).value_or(c.addedMassXInf);
+  }
+  hasSpeedTerms_ = true;
+  speedDamping_ = A * T.transpose() - addedMassXInf_;
+  speedStiffness_ = -(addedMassXInf_ + rise()) * T.transpose();
 }
 
 bool RetardationMatrix::isZero(int j, int k) const noexcept {
@@ -64,39 +108,99 @@ bool RetardationMatrix::isZero(int j, int k) const noexcept {
   });
 }
 
-Mat6 RetardationMatrix::at(double tau) const {
+Mat6 RetardationMatrix::sum(const Entries& entries, Level level, double tau) const {
   Mat6 result = Mat6::Zero();
-  if (entries_.empty()) return result;
-  const auto& nodes = entries_.front().function.nodes_;
+  if (entries.empty()) return result;
+  const auto& nodes = entries.front().function.nodes_;
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-    const auto weights = fourier::cellWeights(nodes[i], nodes[i + 1], tau).cosine;
-    for (const Entry& entry : entries_) {
-      result(entry.j, entry.k) += fourier::dot(entry.function.pieces_[i].b, weights);
+    const auto weights = fourier::cellWeights(nodes[i], nodes[i + 1], tau);
+    const auto longer = level == Level::Remaining
+                            ? fourier::cosineWeights(nodes[i], nodes[i + 1], tau)
+                            : std::array<double, 8>{};
+    for (const Entry& e : entries) {
+      const auto& piece = e.function.pieces_[i];
+      result(e.j, e.k) += level == Level::Value      ? fourier::dot(piece.b, weights.cosine)
+                          : level == Level::Integral ? fourier::dot(piece.q, weights.sine)
+                                                     : fourier::dot(piece.r, longer);
     }
   }
-  const auto tails = fourier::tailIntegrals(nodes.back() * tau);
-  for (const Entry& entry : entries_) {
-    const RetardationFunction& f = entry.function;
-    result(entry.j, entry.k) += nodes.back() * f.tailTransform(tails, 0).real();
+  const double end = nodes.back();
+  const auto tails = fourier::tailIntegrals(end * tau);
+  for (const Entry& e : entries) {
+    const RetardationFunction& f = e.function;
+    result(e.j, e.k) += level == Level::Value      ? end * f.tailTransform(tails, 0).real()
+                        : level == Level::Integral ? f.tailTransform(tails, 1).imag()
+                                                   : f.tailTransform(tails, 2).real() / end;
   }
-  return (2.0 / kPi) * Mat6(result.selfadjointView<Eigen::Upper>());
+  result *= 2.0 / kPi;
+  return &entries == &entries_ ? Mat6(result.selfadjointView<Eigen::Upper>()) : result;
 }
 
-Mat6 RetardationMatrix::integral(double tau) const {
-  Mat6 result = Mat6::Zero();
-  if (entries_.empty()) return result;
-  const auto& nodes = entries_.front().function.nodes_;
-  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-    const auto weights = fourier::cellWeights(nodes[i], nodes[i + 1], tau).sine;
-    for (const Entry& entry : entries_) {
-      result(entry.j, entry.k) += fourier::dot(entry.function.pieces_[i].q, weights);
-    }
+Mat6 RetardationMatrix::at(double tau) const { return sum(entries_, Level::Value, tau); }
+
+Mat6 RetardationMatrix::integral(double tau) const { return sum(entries_, Level::Integral, tau); }
+
+Mat6 RetardationMatrix::squared(double tau) const {
+  const Mat6 T = tuckMatrix();
+  return form_ == ForwardSpeedForm::Tuck
+             ? Mat6(T * sum(entries_, Level::Remaining, tau) * T.transpose())
+             : Mat6(sum(entriesX_, Level::Remaining, tau) * T.transpose());
+}
+
+SpeedKernels RetardationMatrix::kernels(double tau) const {
+  SpeedKernels k{at(tau), Mat6::Zero(), Mat6::Zero()};
+  if (!hasSpeedTerms_) return k;
+  const Mat6 T = tuckMatrix(), rest = integral(tau);
+  k.linear = rest * T.transpose() - (form_ == ForwardSpeedForm::Tuck
+                                         ? Mat6(T * rest)
+                                         : sum(entriesX_, Level::Integral, tau));
+  k.squared = squared(tau);
+  return k;
+}
+
+SpeedKernels RetardationMatrix::integrals(double a, double b) const {
+  SpeedKernels k{integral(b) - integral(a), Mat6::Zero(), Mat6::Zero()};
+  if (!hasSpeedTerms_) return k;
+  const Mat6 T = tuckMatrix();
+  const Mat6 rest = sum(entries_, Level::Remaining, a) - sum(entries_, Level::Remaining, b);
+  k.linear = rest * T.transpose();
+  if (form_ == ForwardSpeedForm::Tuck) {
+    k.linear -= T * rest;
+  } else {
+    k.linear -= sum(entriesX_, Level::Remaining, a) - sum(entriesX_, Level::Remaining, b);
   }
-  const auto tails = fourier::tailIntegrals(nodes.back() * tau);
-  for (const Entry& entry : entries_) {
-    result(entry.j, entry.k) += entry.function.tailTransform(tails, 1).imag();
-  }
-  return (2.0 / kPi) * Mat6(result.selfadjointView<Eigen::Upper>());
+  const double half = 0.5 * (b - a), middle = 0.5 * (a + b), out = half * std::sqrt(0.6);
+  k.squared = half / 9.0 *
+              (5.0 * squared(middle - out) + 8.0 * squared(middle) + 5.0 * squared(middle + out));
+  return k;
+}
+
+Mat6 RetardationMatrix::rise() const {
+  return form_ == ForwardSpeedForm::Tuck
+             ? Mat6(tuckMatrix() * sum(entries_, Level::Remaining, 0.0))
+             : sum(entriesX_, Level::Remaining, 0.0);
+}
+
+Mat6 RetardationMatrix::linearTotal() const {
+  if (!hasSpeedTerms_) return Mat6::Zero();
+  return sum(entries_, Level::Remaining, 0.0) * tuckMatrix().transpose() - rise();
+}
+
+// With D = ∂A − ∂A^∞ − i ∂B/ω the transform of ∫₀^τK⁰ is that of K⁰ over iω, and that of ∫_τ^∞ D
+// what D lacks of its value at ω = 0, over iω.
+RetardationMatrix::Transforms RetardationMatrix::transforms(double omega) const {
+  const Complex iw(0.0, omega);
+  Transforms result{damping(omega).cast<Complex>() -
+                        Complex(0.0, 1.0) * sineTransform(omega).cast<Complex>(),
+                    CMat6::Zero(), CMat6::Zero()};
+  if (!hasSpeedTerms_) return result;
+  const CMat6 Tt = tuckMatrix().transpose().cast<Complex>();
+  const CMat6 D = (dampingX(omega).cast<Complex>() -
+                   Complex(0.0, 1.0) * sineTransformX(omega).cast<Complex>()) /
+                  iw;
+  result.linear = result.atRest * Tt / iw - D;
+  result.squared = (rise().cast<Complex>() - D) * Tt / iw;
+  return result;
 }
 
 Mat6 RetardationMatrix::sineTransform(double omega) const {
@@ -107,10 +211,28 @@ Mat6 RetardationMatrix::sineTransform(double omega) const {
   return result.selfadjointView<Eigen::Upper>();
 }
 
+Mat6 RetardationMatrix::sineTransformX(double omega) const {
+  if (form_ == ForwardSpeedForm::Tuck) return tuckMatrix() * sineTransform(omega);
+  Mat6 result = Mat6::Zero();
+  for (const Entry& e : entriesX_) result(e.j, e.k) = e.function.sineTransform(omega);
+  return result;
+}
+
 Mat6 RetardationMatrix::damping(double omega) const {
   Mat6 result = Mat6::Zero();
   for (const Entry& entry : entries_) result(entry.j, entry.k) = entry.function.damping(omega);
   return result.selfadjointView<Eigen::Upper>();
+}
+
+Mat6 RetardationMatrix::dampingX(double omega) const {
+  if (form_ == ForwardSpeedForm::Tuck) return tuckMatrix() * damping(omega);
+  Mat6 result = Mat6::Zero();
+  for (const Entry& e : entriesX_) result(e.j, e.k) = e.function.damping(omega);
+  return result;
+}
+
+Mat6 RetardationMatrix::addedMassX(double omega) const {
+  return addedMassXInf_ - sineTransformX(omega) / omega;
 }
 
 Mat6 RetardationMatrix::addedMassInf(double omega, const Mat6& addedMass) const {

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "hydro/Errors.h"
-#include "hydro/memory/RetardationFunction.h"
+#include "hydro/memory/RetardationMatrix.h"
 
 namespace cutwater {
 namespace {

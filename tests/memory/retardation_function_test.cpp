@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
-#include "hydro/memory/RetardationFunction.h"
+#include "hydro/memory/RetardationMatrix.h"
 #include "tests/support/CsvTable.h"
 #include "tests/support/Results.h"
 

@@ -4,7 +4,7 @@
 
 #include "hydro/bem/BuildCoefficients.h"
 #include "hydro/geometry/Shapes.h"
-#include "hydro/memory/RetardationFunction.h"
+#include "hydro/memory/RetardationMatrix.h"
 #include "tests/support/Results.h"
 
 // What solver and memory owe each other on a ship: A(∞) from A and B at any frequency, ∫K = 0.

@@ -1,0 +1,101 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hydro/Errors.h"
+#include "hydro/Vector.h"
+#include "hydro/memory/ExponentialSum.h"
+
+namespace cutwater {
+
+namespace {
+
+/// z ← e z + g v of one mode, `width` poles; width a multiple of four.
+CUTWATER_VECTOR void enter(double* re, double* im, const double* advance, double v,
+                           std::size_t width) noexcept {
+  const double *er = advance, *ei = er + width, *gr = ei + width, *gi = gr + width;
+  for (std::size_t m = 0; m < width; ++m) {
+    const double a = re[m], b = im[m];
+    re[m] = er[m] * a - ei[m] * b + gr[m] * v;
+    im[m] = er[m] * b + ei[m] * a + gi[m] * v;
+  }
+}
+
+/// Σ a_i b_i, in one fixed order.
+CUTWATER_VECTOR double weighted(const double* a, const double* b, std::size_t count) noexcept {
+  double lane[4] = {};
+  for (std::size_t i = 0; i < count; i += 4) {
+    for (std::size_t l = 0; l < 4; ++l) lane[l] += a[i + l] * b[i + l];
+  }
+  return (lane[0] + lane[2]) + (lane[1] + lane[3]);
+}
+
+}  // namespace
+
+ExponentialMemory::ExponentialMemory(const ExponentialSum& sum, double step)
+    : sum_(sum), step_(step), width_((sum.size() + 3) / 4 * 4) {
+  if (!(step > 0.0) || !std::isfinite(step)) {
+    throw HydroError(Fault::ValueOutOfRange,
+                     fmt::format("ExponentialMemory: step = {} s, must be > 0", step));
+  }
+  advance_.assign(4 * width_, 0.0);
+  states_.assign(6 * 2 * width_, 0.0);
+  residues_.assign(sum.pairs().size() * 2 * width_, 0.0);
+  for (std::size_t m = 0; m < sum.size(); ++m) {
+    const Complex s = sum.poles()[m], e = std::exp(s * step), g = (e - 1.0) / s;
+    advance_[m] = e.real();
+    advance_[width_ + m] = e.imag();
+    advance_[2 * width_ + m] = g.real();
+    advance_[3 * width_ + m] = g.imag();
+  }
+  weigh(0.0);
+}
+
+void ExponentialMemory::weigh(double speed) noexcept {
+  double* at = residues_.data();
+  for (const ExponentialSum::Pair& pair : sum_.pairs()) {
+    for (std::size_t m = 0; m < sum_.size(); ++m) {
+      const Complex R = pair.atRest[m] + speed * (pair.linear[m] + speed * pair.squared[m]);
+      at[m] = -R.real();
+      at[width_ + m] = R.imag();
+    }
+    at += 2 * width_;
+  }
+  weighed_ = speed;
+}
+
+Vec6 ExponentialMemory::advance(const Vec6& etaDot, double speed) noexcept {
+  if (speed != weighed_) weigh(speed);
+  for (std::size_t k = 0; k < 6; ++k) {
+    double* z = states_.data() + 2 * k * width_;
+    enter(z, z + width_, advance_.data(), etaDot[static_cast<int>(k)], width_);
+  }
+  Vec6 force = Vec6::Zero();
+  const double* residues = residues_.data();
+  for (const ExponentialSum::Pair& pair : sum_.pairs()) {
+    const double* z = states_.data() + static_cast<std::size_t>(2 * pair.k) * width_;
+    force[pair.j] += weighted(residues, z, 2 * width_);
+    residues += 2 * width_;
+  }
+  return force;
+}
+
+void ExponentialMemory::reset() noexcept { std::fill(states_.begin(), states_.end(), 0.0); }
+
+void ExponentialMemory::save(std::span<double> state) const noexcept {
+  state[0] = step_;
+  std::copy(states_.begin(), states_.end(), state.begin() + 1);
+}
+
+void ExponentialMemory::restore(std::span<const double> state) {
+  if (state.size() != stateSize() || state[0] != step_) {
+    throw HydroError(Fault::BadArgument,
+                     fmt::format("ExponentialMemory::restore: state of {} numbers, this memory "
+                                 "with ticks of {} s has {}",
+                                 state.size(), step_, stateSize()));
+  }
+  std::copy(state.begin() + 1, state.end(), states_.begin());
+}
+
+}  // namespace cutwater

@@ -1,0 +1,34 @@
+#pragma once
+#include <span>
+
+#include "hydro/Conventions.h"
+
+namespace cutwater {
+
+/// Force of the radiated waves' memory at fixed ticks of h, the sum of [M03] (30):
+///   F(t_n) = −∫₀^∞ K(U, τ) η̇(t_n − τ) dτ = −Σ_i K̄_i η̇_{n−i},   K̄_i = ∫ K over [i h, (i+1) h]
+/// η̇_n is the mean velocity over the tick that ends at t_n (in Bullet: the velocity after the
+/// solve, which moved the body over that tick), so the sum is second order in h and sees ∫K dτ
+/// exactly. K = K⁰ + U K^U + U² K^UU with the speed of now for the whole past: as U drifts the parts
+/// are weighed anew, nothing is tabulated again.
+/// Frame H; forces and moments about G. No allocation after construction. One thread at a time.
+class RadiationMemory {
+ public:
+  virtual ~RadiationMemory() = default;
+  virtual double step() const noexcept = 0;  ///< h [s]
+  /// Enters the velocity of the tick just ended and returns F(t_n) [N, N·m]. A velocity that is not
+  /// finite spoils the memory: reset() or restore() after it.   @param speed U [m/s].
+  virtual Vec6 advance(const Vec6& etaDot, double speed) noexcept = 0;
+  Vec6 advance(const Vec6& etaDot) noexcept { return advance(etaDot, 0.0); }
+  /// Forgets: as if at rest on the mean course for ever.
+  virtual void reset() noexcept = 0;
+
+  /// Exact state as numbers: restore(save()) gives the same bits ever after.
+  virtual std::size_t stateSize() const noexcept = 0;
+  /// @pre state.size() == stateSize().
+  virtual void save(std::span<double> state) const noexcept = 0;
+  /// @throws HydroError BadArgument if it was taken of another memory or tick.
+  virtual void restore(std::span<const double> state) = 0;
+};
+
+}  // namespace cutwater

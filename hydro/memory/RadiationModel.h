@@ -1,0 +1,50 @@
+#pragma once
+#include <memory>
+#include <mutex>
+
+#include "hydro/memory/Convolution.h"
+#include "hydro/memory/ExponentialSum.h"
+#include "hydro/memory/RetardationMatrix.h"
+
+namespace cutwater {
+
+/// How the radiated waves are remembered.
+enum class MemoryModel {
+  Exponential,  ///< a sum of damped oscillations (ExponentialSum.h); the default
+  Convolution   ///< the convolution itself (Convolution.h): the oracle, slower by ten and more
+};
+
+/// What all ships of one database share of their radiation: retardation functions, the fit, b/U and c/U².
+/// Made once, a quarter of a second for 60 frequencies; then immutable but for tables that are made when
+/// first asked for. Any thread may call.
+class RadiationModel {
+ public:
+  /// @param coefficients is not needed afterwards.
+  /// @param form  of the forward-speed terms; absent: the database's own.
+  /// @throws HydroError as RetardationMatrix.
+  explicit RadiationModel(const Coefficients& coefficients,
+                          MemoryModel memory = MemoryModel::Exponential,
+                          std::optional<ForwardSpeedForm> form = {});
+
+  /// Memory of one ship, at rest for ever. The model must outlive it.
+  /// @param step h [s] > 0.  @throws HydroError ValueOutOfRange.
+  std::unique_ptr<RadiationMemory> makeMemory(double step) const;
+
+  MemoryModel memoryModel() const noexcept { return memory_; }
+  const RetardationMatrix& retardation() const noexcept { return retardation_; }
+  /// False: the database holds no ∂A, ∂B, which the report's form needs at U ≠ 0.
+  bool hasSpeedTerms() const noexcept { return retardation_.hasSpeedTerms(); }
+  /// ExponentialSum::error(); 0 for the convolution.
+  double memoryError() const noexcept { return sum_ ? sum_->error() : 0.0; }
+  /// The fit; null for the convolution.
+  const ExponentialSum* sum() const noexcept { return sum_.get(); }
+
+ private:
+  RetardationMatrix retardation_;
+  MemoryModel memory_;
+  std::unique_ptr<const ExponentialSum> sum_;
+  mutable std::mutex mutex_;
+  mutable std::shared_ptr<const ConvolutionWeights> weights_;  // of the last tick length asked for
+};
+
+}  // namespace cutwater

@@ -1,0 +1,110 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "hydro/database/CoefficientsFile.h"
+#include "hydro/memory/RetardationFunction.h"
+
+namespace cutwater {
+
+/// Memory of a ship under way: K(U, τ) = K⁰ + U K^U + U² K^UU             [M03] (33), (36)
+struct SpeedKernels {
+  Mat6 atRest = Mat6::Zero();   ///< K⁰ [unit of B / s]
+  Mat6 linear = Mat6::Zero();   ///< K^U [unit of B / m]
+  Mat6 squared = Mat6::Zero();  ///< K^UU [unit of B · s/m²]
+  Mat6 at(double speed) const { return atRest + speed * (linear + speed * squared); }
+};
+
+/// All functions of a ship, at rest and under way. With D(τ) = (2/π)∫(∂B/ω) sin ωτ dω, I⁰(τ) = ∫₀^τK⁰
+/// and T of database/ForwardSpeed.h
+///     K⁰   = (2/π)∫ B cos ωτ dω                                                  [M03] (34)
+///     K^U  = −D + I⁰ Tᵀ                                                    [M03] (35), (37), (39)
+///     K^UU = (∫_τ^∞ D ds) Tᵀ                                                   [M03] (38), (40)
+///     b(U) = U(A^∞Tᵀ − ∂A^∞),   c(U) = −U² ∂A(0) Tᵀ,   ∂A(0) = ∂A^∞ + ∫₀^∞ D dτ  [M03] (41)-(45)
+/// so that −ω²A^∞ + iω(b + K̂(ω)) + c = −ω²A(U, ω) + iωB(U, ω) at every ω, for both forms of the
+/// forward-speed terms (Tuck's: ∂B = TB, ∂A = TA). D equals the report's −(2/π)∫[∂A − ∂A^∞] cos ωτ dω, as
+/// what is causal has both; taken from ∂B it begins at 0 and its tail dies one power faster.
+/// ∂A^∞ is that which belongs to ∂A(ω) and ∂B(ω): ∂A^∞ = ∂A(ω) + (1/ω)∫₀^∞ ∂K sin ωτ dτ, averaged over the
+/// middle of the band (ConsistentLimit.h).
+///
+/// A and B are symmetrised first: they are symmetric but for the
+/// solver's discretisation error, the mean of B_jk and B_kj is the better value, and a symmetric
+/// positive B gives a memory that cannot create energy. ∂A and ∂B are not symmetric. Pairs that vanish by
+/// symmetry, |B_jk| below 1e-8 of √(B_jj B_kk) at their maxima, are left out. Frequencies above
+/// Coefficients::resolvedOmega are left to the tail.
+class RetardationMatrix {
+ public:
+  /// @param form  of the forward-speed terms; absent: the database's own.
+  /// @throws HydroError as RetardationFunction.
+  explicit RetardationMatrix(const Coefficients& coefficients,
+                             std::optional<ForwardSpeedForm> form = {});
+
+  Mat6 at(double tau) const;                 ///< K⁰(τ) [unit of B / s]
+  Mat6 integral(double tau) const;           ///< ∫₀^τ K⁰ dτ [unit of B]
+  Mat6 sineTransform(double omega) const;    ///< ∫₀^∞ K⁰ sin ωτ dτ [unit of B]
+  bool isZero(int j, int k) const noexcept;  ///< the pair is left out of K⁰; j, k = 0..5
+
+  /// False: the report's form, and the database holds no ∂A, ∂B. K^U, K^UU, b and c are then zero.
+  bool hasSpeedTerms() const noexcept { return hasSpeedTerms_; }
+  SpeedKernels kernels(double tau) const;
+  /// ∫ of the three over τ from a to b ≥ a [s]: K⁰ and K^U exact, K^UU by three Gauss points.
+  SpeedKernels integrals(double a, double b) const;
+  /// ∫₀^∞ of the three e^{−iωτ} dτ, from B, ∂B and their sine transforms.  @param omega  > 0.
+  struct Transforms {
+    CMat6 atRest, linear, squared;
+    CMat6 at(double speed) const { return atRest + speed * (linear + speed * squared); }
+  };
+  Transforms transforms(double omega) const;
+  /// ∫₀^∞ K^U dτ [unit of B · s/m]; ∫₀^∞ K⁰ dτ = 0.
+  Mat6 linearTotal() const;
+  const Mat6& speedDamping() const noexcept { return speedDamping_; }      ///< b/U [unit of B · s/m]
+  const Mat6& speedStiffness() const noexcept { return speedStiffness_; }  ///< c/U² [kg/m ...]
+  const Mat6& addedMassXInf() const noexcept { return addedMassXInf_; }    ///< ∂A^∞, consistent
+
+  /// A(∞) = A(ω) + (1/ω)∫₀^∞ K⁰ sin ωτ dτ, symmetrised: the same for every ω > 0 if A, B and the
+  /// tail are right.   @param addedMass  A at that ω.
+  Mat6 addedMassInf(double omega, const Mat6& addedMass) const;
+
+  /// B(ω) and ∂B(ω) as the memory has them: interpolated, and continued beyond the last frequency it uses.
+  Mat6 damping(double omega) const;
+  Mat6 dampingX(double omega) const;
+  /// ∂A(ω) = ∂A^∞ − (1/ω)∫₀^∞ ∂K sin ωτ dτ likewise.
+  Mat6 addedMassX(double omega) const;
+
+  /// Ω [rad/s], the last frequency of the data in use; 0 without any memory.
+  double lastOmega() const noexcept {
+    return entries_.empty() ? 0.0 : entries_.front().function.nodes_.back();
+  }
+
+  /// K⁰ at 0, Δτ, 2Δτ, … up to `duration` [s], for the database file.
+  /// @throws HydroError ValueOutOfRange unless 0 < step ≤ duration ≤ 10⁶ step.
+  ImpulseResponse table(double step, double duration) const;
+
+  /// T [s] beyond which K⁰ is negligible: of every pair no more than 0.1 % of ∫|K⁰| lies beyond it,
+  /// measured by √(∫|K_jj| ∫|K_kk|). At most π/Δω, Δω the median step of the data, beyond which
+  /// they say nothing about K.
+  double duration() const noexcept { return duration_; }
+
+ private:
+  struct Entry {
+    int j, k;
+    RetardationFunction function;
+  };
+  using Entries = std::vector<Entry>;
+  enum class Level { Value, Integral, Remaining };  // K, ∫₀^τ K, ∫_τ^∞ ∫₀^s K
+  Mat6 sum(const Entries& entries, Level level, double tau) const;
+  Mat6 squared(double tau) const;
+  Mat6 rise() const;  // ∂A(0) − ∂A^∞ = ∫₀^∞ D
+  Mat6 sineTransformX(double omega) const;
+  void addSpeedTerms(const Coefficients& coefficients, const Vec6& scale);
+  double findDuration() const;
+
+  Entries entries_;   // of B, j ≤ k
+  Entries entriesX_;  // of ∂B, report's form
+  ForwardSpeedForm form_;
+  bool hasSpeedTerms_ = false;
+  Mat6 addedMassXInf_ = Mat6::Zero(), speedDamping_ = Mat6::Zero(), speedStiffness_ = Mat6::Zero();
+  double duration_ = 0.0;
+};
+
+}  // namespace cutwater
