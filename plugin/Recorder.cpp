@@ -58,7 +58,7 @@ void Recorder::tickDone(const Seaway&) noexcept {
   put(tick.position);
   put(kDegrees * tick.attitude);
   put(tick.velocity);
-  numbers_.push_back(tick.wave);
+  numbers_.push_back(seaway_.sea().elevation(tick.time, tick.position.x(), tick.position.y()));
   if (!settings_.forces) return;
   for (const Part& part : kParts) put(tick.forces.*part.value);
 }

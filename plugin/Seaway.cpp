@@ -22,28 +22,51 @@ btDiscreteDynamicsWorld& checked(btDiscreteDynamicsWorld& world) {
       "two; added mass would be wrong. Use btSequentialImpulseConstraintSolver");
 }
 
-void checkGravity(const btVector3& g) {
-  const auto sideways = static_cast<double>(std::hypot(g.x(), g.y()));
-  const auto down = static_cast<double>(-g.z());
+void checkGravity(const btVector3& gravity, const WorldFrame& frame) {
+  const Vec3 g = frame.lengthToEarth(gravity);
+  const double sideways = std::hypot(g.x(), g.y()), down = -g.z();
   if (down >= 0.0 && sideways <= 1e-6 * down) return;
-  throw HydroError(
-      Fault::ValueOutOfRange,
-      "Seaway::addShip: gravity must point along -z (z up, metres) or be zero, it is (" +
-          std::to_string(g.x()) + ", " + std::to_string(g.y()) + ", " + std::to_string(g.z()) +
-          ")");
+  throw HydroError(Fault::ValueOutOfRange,
+                   std::string("Seaway::addShip: gravity must point down (along -") +
+                       (frame.up == WorldFrame::Up::Z ? "z" : "y, as WorldFrame says") +
+                       ") or be zero, it is (" + std::to_string(gravity.x()) + ", " +
+                       std::to_string(gravity.y()) + ", " + std::to_string(gravity.z()) + ")");
+}
+
+WorldFrame checked(const WorldFrame& frame) {
+  frame.check();
+  return frame;
 }
 
 }  // namespace
 
-Seaway::Seaway(btDiscreteDynamicsWorld& world, SeaState sea)
-    : world_(checked(world)), sea_(std::move(sea)), hook_(world, *this) {}
+Seaway::Seaway(btDiscreteDynamicsWorld& world, SeaState sea, const WorldFrame& frame)
+    : world_(checked(world)), sea_(std::move(sea)), frame_(checked(frame)), hook_(world, *this) {}
 
 Seaway::~Seaway() = default;
 
+void Seaway::setThreads(unsigned threads) {
+  if (threads < 1 || threads > 1024) {
+    throw HydroError(Fault::ValueOutOfRange,
+                     "Seaway::setThreads: " + std::to_string(threads) + " threads");
+  }
+  pool_ = threads > 1 ? std::make_unique<ThreadPool>(threads) : nullptr;
+}
+
+std::shared_ptr<ShipModel> Seaway::modelOf(const Coefficients& coefficients) {
+  for (const auto& model : models_) {
+    if (&model->coefficients() == &coefficients) return model;
+  }
+  return models_.emplace_back(std::make_shared<ShipModel>(coefficients, sea_));
+}
+
 Ship& Seaway::add(const Coefficients& coefficients, const ShipSettings& settings,
                   btRigidBody* own) {
-  checkGravity(world_.getGravity());
-  return *ships_.emplace_back(std::make_unique<Ship>(world_, coefficients, sea_, settings, own));
+  checkGravity(world_.getGravity(), frame_);
+  ships_.reserve(ships_.size() + 1);
+  shipFaults_.resize(ships_.size() + 1);
+  return *ships_.emplace_back(
+      std::make_unique<Ship>(world_, frame_, modelOf(coefficients), settings, own));
 }
 
 Ship& Seaway::addShip(const Coefficients& coefficients, const ShipSettings& settings) {
@@ -55,14 +78,28 @@ Ship& Seaway::addShip(const Coefficients& coefficients, btRigidBody& body,
   return add(coefficients, settings, &body);
 }
 
+// A model goes with its last ship: its coefficients need not live any longer.
 void Seaway::removeShip(Ship& ship) {
   std::erase_if(ships_, [&](const auto& owned) { return owned.get() == &ship; });
+  std::erase_if(models_, [](const auto& model) { return model.use_count() == 1; });
+}
+
+btVector3 Seaway::waterAt(const btVector3& place) const noexcept {
+  Vec3 at = frame_.placeToEarth(place);
+  at.z() = waveHeight(at.x(), at.y());
+  return frame_.place(at);
 }
 
 Seaway::Snapshot Seaway::save() const {
-  Snapshot snapshot{time_, {}};
-  for (const auto& ship : ships_) snapshot.ships.push_back(ship->save());
+  Snapshot snapshot;
+  save(snapshot);
   return snapshot;
+}
+
+void Seaway::save(Snapshot& snapshot) const {
+  snapshot.time = time_;
+  snapshot.ships.resize(ships_.size());
+  for (std::size_t i = 0; i < ships_.size(); ++i) ships_[i]->save(snapshot.ships[i]);
 }
 
 void Seaway::restore(const Snapshot& snapshot) {
@@ -75,21 +112,42 @@ void Seaway::restore(const Snapshot& snapshot) {
   time_ = snapshot.time;
 }
 
+void Seaway::forgetContacts() {
+  btOverlappingPairCache* pairs = world_.getBroadphase()->getOverlappingPairCache();
+  for (int i = 0; i < world_.getNumCollisionObjects(); ++i) {
+    btBroadphaseProxy* proxy = world_.getCollisionObjectArray()[i]->getBroadphaseHandle();
+    if (proxy != nullptr) pairs->cleanProxyFromPairs(proxy, world_.getDispatcher());
+  }
+  world_.getConstraintSolver()->reset();
+}
+
 void Seaway::addObserver(TickObserver& observer) { observers_.push_back(&observer); }
 
 void Seaway::removeObserver(TickObserver& observer) noexcept { std::erase(observers_, &observer); }
 
 void Seaway::beforeTick(btScalar step) noexcept {
   if (!solverCarriesAddedMass(world_)) faults_ |= kSolverNotSupported;
-  for (const auto& ship : ships_) faults_ |= ship->beginTick(time_, step);
+  step_ = step;
+  const auto one = [](void* self, std::size_t i) {
+    auto& s = *static_cast<Seaway*>(self);
+    s.shipFaults_[i] = s.ships_[i]->beginTick(s.time_, s.step_);
+  };
+  if (pool_) {
+    pool_->run(ships_.size(), one, this);
+  } else {
+    for (std::size_t i = 0; i < ships_.size(); ++i) one(this, i);
+  }
+  for (std::size_t i = 0; i < ships_.size(); ++i) faults_ |= shipFaults_[i];
 }
 
 void Seaway::afterTick(btScalar step) noexcept {
-  for (const auto& ship : ships_) ship->endTick();
+  for (const auto& ship : ships_) ship->endTick(step);
   for (TickObserver* observer : observers_) observer->tickDone(*this);
   time_ += static_cast<double>(step);
 }
 
 void Seaway::slotTaken() noexcept { faults_ |= kCallbackReplaced; }
+
+void Seaway::draw(btIDebugDraw& drawer) noexcept { debugDraw(drawer); }
 
 CUTWATER_PLUGIN_END

@@ -55,7 +55,7 @@ std::set<std::size_t> farthest(const std::vector<Vec3>& points, const Vec3& exte
 
 }  // namespace
 
-std::unique_ptr<btCollisionShape> convexHull(const ShipParticulars& ship) {
+std::unique_ptr<btCollisionShape> convexHull(const ShipParticulars& ship, const WorldFrame& frame) {
   const std::vector<Vec3> points = hullPoints(ship);
   Vec3 low = points[0], high = points[0];
   for (const Vec3& point : points) {
@@ -64,21 +64,33 @@ std::unique_ptr<btCollisionShape> convexHull(const ShipParticulars& ship) {
   }
   const Vec3 extent = (high - low).cwiseMax(1e-3);
   auto shape = std::make_unique<btConvexHullShape>();
-  for (const std::size_t i : farthest(points, extent)) shape->addPoint(toBullet(points[i]), false);
+  for (const std::size_t i : farthest(points, extent)) {
+    shape->addPoint(frame.length(points[i]), false);
+  }
   shape->recalcLocalAabb();
   return shape;
 }
 
-std::unique_ptr<btRigidBody> makeBody(const ShipParticulars& ship, btCollisionShape& shape) {
+std::unique_ptr<btCollisionShape> aboutG(btCollisionShape& shape, const ShipParticulars& ship,
+                                         const WorldFrame& frame) {
+  auto compound = std::make_unique<btCompoundShape>();
+  compound->addChildShape(btTransform(btQuaternion::getIdentity(), frame.length(-ship.cog)),
+                          &shape);
+  return compound;
+}
+
+std::unique_ptr<btRigidBody> makeBody(const ShipParticulars& ship, const WorldFrame& frame,
+                                      btCollisionShape& shape) {
   requirePositive(ship.mass, "mass");
   for (int i = 0; i < 3; ++i) requirePositive(ship.gyradii[i], "a gyradius");
   const Vec3 inertia = ship.mass * ship.gyradii.cwiseProduct(ship.gyradii);
   return std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(
-      static_cast<btScalar>(ship.mass), nullptr, &shape, toBullet(inertia)));
+      static_cast<btScalar>(ship.mass / frame.kilogramsPerUnit), nullptr, &shape,
+      frame.inertia(inertia)));
 }
 
-void requireBodyOf(const ShipParticulars& ship, const btRigidBody& body) {
-  const double mass = 1.0 / static_cast<double>(body.getInvMass());
+void requireBodyOf(const ShipParticulars& ship, const WorldFrame& frame, const btRigidBody& body) {
+  const double mass = frame.kilogramsPerUnit / static_cast<double>(body.getInvMass());
   if (!(std::abs(mass - ship.mass) <= 1e-3 * ship.mass)) {
     throw HydroError(Fault::ValueOutOfRange,
                      "Seaway::addShip: the body's mass " + std::to_string(mass) +
@@ -87,20 +99,6 @@ void requireBodyOf(const ShipParticulars& ship, const btRigidBody& body) {
   if (!body.isInWorld()) {
     throw HydroError(Fault::BadArgument, "Seaway::addShip: add the body to the world first");
   }
-}
-
-std::unique_ptr<btTypedConstraint> makeRestraint(btRigidBody& body, const btTransform& mean,
-                                                 const std::array<bool, 6>& modes) {
-  if (std::none_of(modes.begin(), modes.end(), [](bool held) { return held; })) return nullptr;
-  const btTransform pose = body.getWorldTransform();
-  body.setCenterOfMassTransform(mean);  // the joint takes it for its zero
-  auto joint = std::make_unique<btGeneric6DofSpring2Constraint>(body, btTransform::getIdentity());
-  body.setCenterOfMassTransform(pose);
-  for (int j = 0; j < 6; ++j) {
-    const bool held = modes[static_cast<std::size_t>(j)];
-    joint->setLimit(j, held ? btScalar(0) : btScalar(1), held ? btScalar(0) : btScalar(-1));
-  }
-  return joint;
 }
 
 CUTWATER_PLUGIN_END

@@ -13,6 +13,8 @@ class TickListener {
   virtual void afterTick(btScalar step) noexcept = 0;
   /// Somebody overwrote the pre-tick slot: this tick went without beforeTick(). Already mended.
   virtual void slotTaken() noexcept = 0;
+  /// The world draws itself.
+  virtual void draw(btIDebugDraw&) noexcept {}
 };
 
 /// Our place in a world's tick. Bullet has one pre-tick slot and no getter for it; the callback
@@ -27,7 +29,9 @@ class WorldHook final : public btActionInterface {
   WorldHook& operator=(const WorldHook&) = delete;
 
   void updateAction(btCollisionWorld*, btScalar step) override;
-  void debugDraw(btIDebugDraw*) override {}
+  void debugDraw(btIDebugDraw* drawer) override {
+    if (drawer != nullptr) listener_.draw(*drawer);
+  }
 
  private:
   static void preTick(btDynamicsWorld* world, btScalar step);

@@ -22,14 +22,20 @@ void retardation(const std::string& database, double step, double duration,
   warn(warning);
   std::optional<RetardationMatrix> memory;
   naming(database, [&] { memory.emplace(coefficients); });
-  // The speed-dependent parts (35)-(40) are not computed.
+  if (!memory->hasSpeedTerms()) {
+    warn(database + ": added_mass_x, damping_x: not in the file; KU and KUU are nan");
+  }
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   Csv csv("tau,j,k,K0,KU,KUU");
   const int last = static_cast<int>(std::floor(duration / step + 1e-9));
   for (int i = 0; i <= last; ++i) {
-    const Mat6 k0 = memory->at(i * step);
+    const SpeedKernels K = memory->kernels(i * step);
+    const bool known = memory->hasSpeedTerms();
     for (int j = 0; j < 6; ++j) {
-      for (int k = 0; k < 6; ++k) csv.row({i * step, j + 1.0, k + 1.0, k0(j, k), kNan, kNan});
+      for (int k = 0; k < 6; ++k) {
+        csv.row({i * step, j + 1.0, k + 1.0, K.atRest(j, k), known ? K.linear(j, k) : kNan,
+                 known ? K.squared(j, k) : kNan});
+      }
     }
   }
   csv.write(out);

@@ -104,16 +104,17 @@ void readStart(TomlSection start, RunFile& run) {
 }
 
 void readMotion(TomlSection motion, RunFile& run) {
-  if (motion.number("speed", 0.0, -100.0, 100.0) != 0.0) {
-    motion.refuse("speed", "only 0 is possible in this version");
-  }
+  run.speed = motion.number("speed", 0.0, -100.0, 100.0);
   run.heading = kDegree * motion.number("heading_deg", 180.0, -kTurn, kTurn);
   if (motion.text("mode", "linear", {"linear", "nonlinear"}) != "linear") {
     motion.refuse("mode", "only \"linear\" is possible in this version");
   }
-  if (motion.text("mean", "fixed", {"fixed", "filtered"}) != "fixed") {
-    motion.refuse("mean", "only \"fixed\" is possible in this version");
-  }
+  run.filtered = motion.text("mean", "fixed", {"fixed", "filtered"}) == "filtered";
+  run.followTime = motion.number("follow_time", run.followTime, 1.0, 1e4);
+  run.keepSpeed = motion.boolean("keep_speed", false);
+  run.keepCourse = motion.boolean("keep_course", false);
+  run.convolution =
+      motion.text("memory", "exponential", {"exponential", "convolution"}) == "convolution";
   for (const double mode : motion.numbers("restrain", {}, 1.0, 6.0)) {
     if (mode != std::floor(mode)) motion.refuse("restrain", "must hold modes 1..6");
     run.restrained[static_cast<std::size_t>(mode) - 1] = true;

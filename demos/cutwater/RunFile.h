@@ -31,6 +31,12 @@ struct RunFile {
 
   double heading =
       kPi;  ///< β of regular waves and mean β of spectra, relative to the initial course
+  double speed = 0.0;        ///< U [m/s]
+  bool filtered = false;     ///< the mean course follows the ship
+  double followTime = 15.0;  ///< [s]
+  bool keepSpeed = false,
+       keepCourse = false;   ///< an engine, a helmsman, on the initial speed and course
+  bool convolution = false;  ///< the memory's oracle in place of the exponential sum
   std::array<bool, 6> restrained{};
   Vec6 startOffset = Vec6::Zero();    ///< x, y, z [m], roll, pitch, yaw [rad] from the mean course
   Vec6 startVelocity = Vec6::Zero();  ///< u, v, w [m/s], p, q, r [rad/s]

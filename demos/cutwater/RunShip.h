@@ -33,6 +33,12 @@ class RunShip {
     s.offset = run.startOffset;
     s.velocity = run.startVelocity;
     s.restrained = run.restrained;
+    s.speed = run.speed;
+    s.mean = run.filtered ? Mean::Filtered : Mean::Fixed;
+    s.followTime = run.followTime;
+    s.memory = run.convolution ? MemoryModel::Convolution : MemoryModel::Exponential;
+    if (run.keepSpeed) s.keepSpeed = SpeedKeeper{.speed = run.speed};
+    if (run.keepCourse) s.keepCourse = CourseKeeper{.heading = run.startOffset[Yaw]};
     return s;
   }
 

@@ -13,14 +13,20 @@
 #include "demos/cutwater/RunShip.h"
 #include "hydro/Errors.h"
 #include "hydro/forces/FrequencyResponse.h"
+#include "hydro/waves/Wave.h"
 
 namespace cutwater::command {
 
 namespace {
 
+double encounterOf(const RunFile& run, const Coefficients& coefficients, std::size_t index) {
+  return encounterFrequency(run.omega[index], run.speed, run.heading, coefficients.ship.gravity);
+}
+
 // Motions in one regular wave, per metre and relative to the wave's crest at G, fitted over the
 // second half.
 CVec6 motionInBullet(const RunFile& run, const Coefficients& coefficients, std::size_t index) {
+  const double omegaE = encounterOf(run, coefficients, index);
   RunShip world(run, coefficients, index);
   std::vector<double> time;
   std::array<std::vector<double>, 6> motion;
@@ -36,10 +42,13 @@ CVec6 motionInBullet(const RunFile& run, const Coefficients& coefficients, std::
   CVec6 amplitude;
   const Complex unit = std::polar(run.amplitude, run.phase);
   for (std::size_t j = 0; j < 6; ++j) {
-    amplitude[static_cast<int>(j)] = harmonicFit(run.omega[index], time, motion[j]) / unit;
+    amplitude[static_cast<int>(j)] = harmonicFit(omegaE, time, motion[j]) / unit;
   }
   return amplitude;
 }
+
+/// Below this the theory has no answer in surge, sway and yaw, and a run would have to last for ever.
+constexpr double kLeastEncounter = 0.1;
 
 void check(const RunFile& run) {
   const auto refuse = [&](const std::string& what) {
@@ -47,13 +56,31 @@ void check(const RunFile& run) {
   };
   if (run.waves != RunFile::Waves::Regular) refuse("[waves] type: a sweep needs \"regular\"");
   if (!(run.amplitude > 0.0)) refuse("[waves] amplitude = 0: a sweep needs waves");
-  for (const double omega : run.omega) {
-    // The second half of the run must hold two periods and the ramp must be over.
-    if (run.duration < std::max(2.0 * run.sea.ramp, 8.0 * kPi / omega)) {
-      refuse("[bullet] duration = " + csvNumber(run.duration) + ": too short to fit omega = " +
-             csvNumber(omega) + "; needs twice the ramp and four periods");
+}
+
+// Leaves out, saying so, what is met too slowly.
+void keepWhatCanBeMet(RunFile& run, const Coefficients& coefficients) {
+  std::vector<double> met;
+  for (std::size_t i = 0; i < run.omega.size(); ++i) {
+    const double omega = run.omega[i], omegaE = encounterOf(run, coefficients, i);
+    if (std::abs(omegaE) < kLeastEncounter) {
+      warn(run.path + ": [waves] omega = " + csvNumber(omega) +
+           " is met at omega_e = " + csvNumber(omegaE) + " rad/s, below 0.1: left out");
+      continue;
     }
+    // The second half of the run must hold two periods and the ramp must be over.
+    if (run.duration < std::max(2.0 * run.sea.ramp, 8.0 * kPi / std::abs(omegaE))) {
+      throw HydroError(Fault::ValueOutOfRange,
+                       run.path + ": [bullet] duration = " + csvNumber(run.duration) +
+                           ": too short to fit omega = " + csvNumber(omega) + ", omega_e = " +
+                           csvNumber(omegaE) + "; needs twice the ramp and four periods");
+    }
+    met.push_back(omega);
   }
+  run.omega = met;
+  if (!met.empty()) return;
+  throw HydroError(Fault::ValueOutOfRange,
+                   run.path + ": [waves] omega: no wave is met at omega_e of 0.1 rad/s or more");
 }
 
 // Every wave in a Bullet world of its own, waves shared among threads.
@@ -90,18 +117,20 @@ std::vector<CVec6> runAll(const RunFile& run, const Coefficients& coefficients, 
 
 void sweep(const std::string& path, int threads, const std::string& out) {
   requireWritable(out);
-  const RunFile run = readRunFile(path);
+  RunFile run = readRunFile(path);
   usePrecision(run.doublePrecision);
   check(run);
   const Coefficients coefficients = readShipOfRun(run);
+  keepWhatCanBeMet(run, coefficients);
   const FrequencyResponse response(coefficients, run.restrained);
   const std::vector<CVec6> inTime = runAll(run, coefficients, threads);
   Csv csv("omega,omega_e,j,time_amplitude,time_phase_deg,freq_amplitude,freq_phase_deg");
   for (std::size_t i = 0; i < run.omega.size(); ++i) {
-    const CVec6 frequency = response.at(run.omega[i], run.heading);
+    const CVec6 frequency = response.at(run.omega[i], run.heading, run.speed);
+    const double omegaE = encounterOf(run, coefficients, i);
     for (int j = 0; j < 6; ++j) {
-      csv.row({run.omega[i], run.omega[i], j + 1.0, std::abs(inTime[i][j]),
-               phaseDegrees(inTime[i][j]), std::abs(frequency[j]), phaseDegrees(frequency[j])});
+      csv.row({run.omega[i], omegaE, j + 1.0, std::abs(inTime[i][j]), phaseDegrees(inTime[i][j]),
+               std::abs(frequency[j]), phaseDegrees(frequency[j])});
     }
   }
   csv.write(out);

@@ -1,50 +1,151 @@
 #include "hydro/forces/ExcitationForce.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "hydro/Errors.h"
+#include "hydro/forces/WaveExcitation.h"
+#include "hydro/waves/VectorSine.h"
 
 namespace cutwater {
 
+namespace {
+
+constexpr std::size_t kLanes = 4, kRuns = 28, kBlock = kLanes * kRuns;
+constexpr std::size_t kRenewedATick = 2, kLookedAtATick = 8;
+constexpr double kSameHeading = 1e-4, kSameSpeed = 1e-3;  // [rad], [m/s]: not worth renewing
+
+/// Sums of Re and Im over all blocks: Re F_I (6), Re F_D (6) of the force at phase
+/// ω t + ε − k_x x − k_y y.
+CUTWATER_VECTOR void sumPhasors(const double* block, std::size_t count, double t, double x,
+                                double y, double* sums) noexcept {
+  Four total[12] = {};
+  for (std::size_t i = 0; i < count; ++i, block += kBlock) {
+    const Four phase = loadFour(block) * t + loadFour(block + 4) - loadFour(block + 8) * x -
+                       loadFour(block + 12) * y;
+    Four s, c;
+    sineCosine(phase, s, c);
+    const double* re = block + 16;
+    for (std::size_t j = 0; j < 6; ++j) {
+      total[j] += c * loadFour(re + 4 * j) - s * loadFour(re + 4 * (6 + j));
+      total[6 + j] += c * loadFour(re + 4 * (12 + j)) - s * loadFour(re + 4 * (18 + j));
+    }
+  }
+  for (std::size_t j = 0; j < 12; ++j) sums[j] = sumOf(total[j]);
+}
+
+}  // namespace
+
+void ExcitationForce::makeBlocks(const SeaState& sea) {
+  const std::size_t count = sea.components().size();
+  blocks_.assign((count + kLanes - 1) / kLanes * kBlock, 0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const WaveComponent& wave = sea.components()[i];
+    double* at = &blocks_[i / kLanes * kBlock + i % kLanes];
+    const double k = sea.waveNumber(i);
+    at[0] = wave.omega;
+    at[kLanes] = wave.phase;
+    at[2 * kLanes] = k * std::cos(wave.heading);
+    at[3 * kLanes] = -k * std::sin(wave.heading);
+  }
+}
+
+void ExcitationForce::setAmplitude(std::size_t i, const CVec6& froudeKrylov,
+                                   const CVec6& diffraction) noexcept {
+  double* at = &blocks_[i / kLanes * kBlock + i % kLanes] + 4 * kLanes;
+  const double a = sea_.components()[i].amplitude;
+  for (int j = 0; j < 6; ++j, at += kLanes) {
+    at[0] = a * froudeKrylov[j].real();
+    at[6 * kLanes] = a * froudeKrylov[j].imag();
+    at[12 * kLanes] = a * diffraction[j].real();
+    at[18 * kLanes] = a * diffraction[j].imag();
+  }
+}
+
 ExcitationForce::ExcitationForce(const Coefficients& coefficients, const SeaState& sea,
-                                 double meanHeading, double meanSpeed)
+                                 double meanHeading, double meanSpeed,
+                                 std::optional<ForwardSpeedForm> form)
     : sea_(sea) {
   if (sea.components().empty()) return;
-  const WaveExcitation excitation(coefficients);
-  phasors_.reserve(sea.components().size());
+  makeBlocks(sea);
+  const WaveExcitation excitation(coefficients, form);
   for (std::size_t i = 0; i < sea.components().size(); ++i) {
     const WaveComponent& wave = sea.components()[i];
     // Seen from a ship whose course is turned by ψ̄ to port, a wave towards (cos β, −sin β) travels
     // at the polar angle −β − ψ̄, hence β + ψ̄ relative to her.
-    WaveExcitation::Force force;
     try {
-      force = excitation.at(wave.omega, wave.heading + meanHeading, meanSpeed);
+      const auto force = excitation.at(wave.omega, wave.heading + meanHeading, meanSpeed);
+      setAmplitude(i, force.froudeKrylov, force.diffraction);
     } catch (const HydroError& error) {
       throw HydroError(error.fault(), "wave component " + std::to_string(i) + ": " + error.what());
     }
-    const double k = sea.waveNumber(i), a = wave.amplitude;
-    phasors_.push_back({wave.omega, wave.phase, k * std::cos(wave.heading),
-                        -k * std::sin(wave.heading), a * force.froudeKrylov.real(),
-                        a * force.froudeKrylov.imag(), a * force.diffraction.real(),
-                        a * force.diffraction.imag()});
   }
 }
 
+ExcitationForce::ExcitationForce(std::shared_ptr<const ExcitationTable> table, double meanHeading,
+                                 double meanSpeed)
+    : sea_(table->sea()), table_(std::move(table)), madeFor_(sea_.components().size()) {
+  makeBlocks(sea_);
+  renew(meanHeading, meanSpeed);
+}
+
+void ExcitationForce::renew(std::size_t i, const Course& course) noexcept {
+  const auto amplitude = table_->at(i, course.heading, course.speed);
+  setAmplitude(i, amplitude.froudeKrylov, amplitude.diffraction);
+  madeFor_[i] = course;
+}
+
+void ExcitationForce::renew(double meanHeading, double meanSpeed) noexcept {
+  for (std::size_t i = 0; i < madeFor_.size(); ++i) renew(i, {meanHeading, meanSpeed});
+  next_ = 0;
+}
+
 Vec6 ExcitationForce::at(const ShipMotion& motion) noexcept {
-  froudeKrylov_.setZero();
-  diffraction_.setZero();
-  for (const Phasor& p : phasors_) {
-    const double phase =
-        p.omega * motion.time + p.phase - p.kx * motion.meanX - p.ky * motion.meanY;
-    const double c = std::cos(phase), s = std::sin(phase);
-    froudeKrylov_ += c * p.fkRe - s * p.fkIm;
-    diffraction_ += c * p.diffRe - s * p.diffIm;
+  std::size_t renewed = 0;
+  for (std::size_t n = 0; n < std::min(kLookedAtATick, madeFor_.size()) && renewed < kRenewedATick;
+       ++n) {
+    const Course& course = madeFor_[next_];
+    if (!(std::abs(course.heading - motion.meanHeading) <= kSameHeading) ||
+        !(std::abs(course.speed - motion.speed) <= kSameSpeed)) {
+      renew(next_, {motion.meanHeading, motion.speed});
+      ++renewed;
+    }
+    next_ = next_ + 1 == madeFor_.size() ? 0 : next_ + 1;
   }
+  double sums[12] = {};
+  sumPhasors(blocks_.data(), blocks_.size() / kBlock, motion.time, motion.meanX, motion.meanY,
+             sums);
   const double grown = sea_.ramp(motion.time);
-  froudeKrylov_ *= grown;
-  diffraction_ *= grown;
+  for (int j = 0; j < 6; ++j) {
+    froudeKrylov_[j] = grown * sums[j];
+    diffraction_[j] = grown * sums[6 + j];
+  }
   return froudeKrylov_ + diffraction_;
+}
+
+void ExcitationForce::save(std::span<double> state) const noexcept {
+  if (!table_) return;
+  state[0] = static_cast<double>(next_);
+  for (std::size_t i = 0; i < madeFor_.size(); ++i) {
+    state[1 + 2 * i] = madeFor_[i].heading;
+    state[2 + 2 * i] = madeFor_[i].speed;
+  }
+}
+
+void ExcitationForce::restore(std::span<const double> state) {
+  if (state.size() != stateSize()) {
+    throw HydroError(Fault::BadArgument, "ExcitationForce::restore: state of " +
+                                             std::to_string(state.size()) + " numbers, here are " +
+                                             std::to_string(stateSize()));
+  }
+  if (!table_) return;
+  next_ = static_cast<std::size_t>(state[0]);
+  for (std::size_t i = 0; i < madeFor_.size(); ++i) {
+    const Course course{state[1 + 2 * i], state[2 + 2 * i]};
+    if (course.heading != madeFor_[i].heading || course.speed != madeFor_[i].speed)
+      renew(i, course);
+  }
 }
 
 }  // namespace cutwater

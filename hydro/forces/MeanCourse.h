@@ -26,12 +26,21 @@ class MeanCourse {
   /// dψ̄/dt [rad/s].
   double turnRate() const noexcept { return along_[2].velocity; }
 
+  /// Where the mean will be in `step` [s] if it goes on as it does.
+  struct Place {
+    double x, y, heading;
+  };
+  Place ahead(double step) const noexcept {
+    return {x() + step * along_[0].velocity, y() + step * along_[1].velocity,
+            heading() + step * along_[2].velocity};
+  }
+
   /// Begins anew at a place, on a heading, at a steady speed.
   void reset(double x, double y, double heading, double speed, double turnRate = 0.0) noexcept;
 
   /// Where the ship is at the end of a tick, and her mean velocity over it.
   struct Sight {
-    double x, y, heading;       ///< [m], [rad] modulo 2π
+    double x, y, heading;                   ///< [m], [rad] modulo 2π
     double velocityX, velocityY, turnRate;  ///< [m/s] in E, [rad/s]
   };
   /// One tick of `step` [s]. Semi-implicit, stable for ν·step < 1; a ship in steady motion at the

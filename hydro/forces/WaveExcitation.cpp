@@ -87,6 +87,12 @@ CVec6 mixed(const Bracket& b, const LocalCubic& cubic, Value value) {
   return b.mirrored ? reversedOddModes(sum) : sum;
 }
 
+void checkOmega(const Coefficients& c, double omegaI) {
+  if (!c.omega.empty() && omegaI > 0.0 && omegaI <= c.omega.back() * (1.0 + 1e-9)) return;
+  refuse(Fault::ValueOutOfRange, fmt::format("omega = {} rad/s is outside 0..{} of the database",
+                                             omegaI, c.omega.empty() ? 0.0 : c.omega.back()));
+}
+
 }  // namespace
 
 WaveExcitation::WaveExcitation(const Coefficients& coefficients,
@@ -101,10 +107,7 @@ WaveExcitation::WaveExcitation(const Coefficients& coefficients,
 
 WaveExcitation::Force WaveExcitation::at(double omegaI, double heading, double speed) const {
   const Coefficients& c = coefficients_;
-  if (c.omega.empty() || !(omegaI > 0.0) || omegaI > c.omega.back() * (1.0 + 1e-9)) {
-    refuse(Fault::ValueOutOfRange, fmt::format("omega = {} rad/s is outside 0..{} of the database",
-                                               omegaI, c.omega.empty() ? 0.0 : c.omega.back()));
-  }
+  checkOmega(c, omegaI);
   if (!std::isfinite(speed)) refuse(Fault::ValueOutOfRange, fmt::format("speed = {} m/s", speed));
   const ShipParticulars& ship = c.ship;
   const AiryWave wave{omegaI, heading, ship.gravity};
@@ -116,12 +119,15 @@ WaveExcitation::Force WaveExcitation::at(double omegaI, double heading, double s
   } else {
     force.diffraction = fromDiffractionTable(wave, speed);
   }
-  if (!panels_.panels.empty()) {
-    force.froudeKrylov = froudeKrylovForce(faces_, wave, ship.cog, ship.density);
-  } else if (speed != 0.0) {
-    force.froudeKrylov = fromTables(omegaI, heading).froudeKrylov;
-  }
+  if (!panels_.panels.empty() || speed != 0.0) force.froudeKrylov = froudeKrylov(omegaI, heading);
   return force;
+}
+
+CVec6 WaveExcitation::froudeKrylov(double omegaI, double heading) const {
+  checkOmega(coefficients_, omegaI);
+  if (panels_.panels.empty()) return fromTables(omegaI, heading).froudeKrylov;
+  const ShipParticulars& ship = coefficients_.ship;
+  return froudeKrylovForce(faces_, {omegaI, heading, ship.gravity}, ship.cog, ship.density);
 }
 
 CVec6 WaveExcitation::fromVectors(const AiryWave& wave, double speed) const {

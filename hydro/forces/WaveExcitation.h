@@ -44,6 +44,8 @@ class WaveExcitation {
   ///         DatabaseIncomplete: no excitation, or none at a speed; BadArgument: a table of the other
   ///         form.
   Force at(double omegaI, double heading, double speed = 0.0) const;
+  /// F_I alone; it does not depend on the speed.   @throws as at().
+  CVec6 froudeKrylov(double omegaI, double heading) const;
 
  private:
   CVec6 fromVectors(const AiryWave& wave, double speed) const;

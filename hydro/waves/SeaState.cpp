@@ -1,8 +1,10 @@
 #include "hydro/waves/SeaState.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hydro/Errors.h"
+#include "hydro/waves/VectorSine.h"
 
 namespace cutwater {
 
@@ -12,6 +14,22 @@ void check(bool good, std::size_t index, const char* field, double value) {
   if (good) return;
   throw HydroError(Fault::ValueOutOfRange, "SeaState: component " + std::to_string(index) + ": " +
                                                field + " = " + std::to_string(value));
+}
+
+constexpr std::size_t kBlock = 20;
+
+/// Σ a cos(ω t − k_x x − k_y y + ε) over blocks of four.
+CUTWATER_VECTOR double sumOfWaves(const double* block, std::size_t count, double t, double x,
+                                  double y) noexcept {
+  Four sum = {};
+  for (std::size_t i = 0; i < count; ++i, block += kBlock) {
+    Four s, c;
+    sineCosine(loadFour(block) * t + loadFour(block + 4) - loadFour(block + 8) * x -
+                   loadFour(block + 12) * y,
+               s, c);
+    sum += loadFour(block + 16) * c;
+  }
+  return sumOf(sum);
 }
 
 }  // namespace
@@ -33,6 +51,16 @@ SeaState::SeaState(std::vector<WaveComponent> components, double gravity, double
     check(std::isfinite(c.heading), i, "heading", c.heading);
     waveNumber_.push_back(c.omega * c.omega / gravity);
   }
+  blocks_.assign((components_.size() + 3) / 4 * kBlock, 0.0);
+  for (std::size_t i = 0; i < components_.size(); ++i) {
+    const WaveComponent& c = components_[i];
+    double* at = &blocks_[i / 4 * kBlock + i % 4];
+    at[0] = c.omega;
+    at[4] = c.phase;
+    at[8] = waveNumber_[i] * std::cos(c.heading);
+    at[12] = -waveNumber_[i] * std::sin(c.heading);
+    at[16] = c.amplitude;
+  }
 }
 
 double SeaState::ramp(double t) const noexcept {
@@ -41,11 +69,20 @@ double SeaState::ramp(double t) const noexcept {
 }
 
 double SeaState::elevation(double t, double x, double y) const noexcept {
-  double sum = 0.0;
+  return ramp(t) * sumOfWaves(blocks_.data(), blocks_.size() / kBlock, t, x, y);
+}
+
+// A crest moves forward: u = a ω e^{kz} cos θ along the wave, w = −a ω e^{kz} sin θ.
+Vec3 SeaState::velocity(double t, const Vec3& place) const noexcept {
+  Vec3 sum = Vec3::Zero();
+  const double z = std::min(place.z(), 0.0);
   for (std::size_t i = 0; i < components_.size(); ++i) {
     const WaveComponent& c = components_[i];
-    const double along = x * std::cos(c.heading) - y * std::sin(c.heading);
-    sum += c.amplitude * std::cos(c.omega * t - waveNumber_[i] * along + c.phase);
+    const double along = place.x() * std::cos(c.heading) - place.y() * std::sin(c.heading);
+    const double phase = c.omega * t - waveNumber_[i] * along + c.phase;
+    const double speed = c.amplitude * c.omega * std::exp(waveNumber_[i] * z);
+    sum += speed * Vec3(std::cos(phase) * std::cos(c.heading),
+                        -std::cos(phase) * std::sin(c.heading), -std::sin(phase));
   }
   return ramp(t) * sum;
 }

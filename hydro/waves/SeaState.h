@@ -33,10 +33,14 @@ class SeaState {
   double ramp(double t) const noexcept;
   /// ζ [m] at time t [s] and earth position x, y [m]. No allocation; O(components).
   double elevation(double t, double x, double y) const noexcept;
+  /// Velocity of the water [m/s] in E at x, y and z ≤ 0 (above calm water: that at z = 0); the linear theory
+  /// of deep water. No allocation; O(components).
+  Vec3 velocity(double t, const Vec3& place) const noexcept;
 
  private:
   std::vector<WaveComponent> components_;
   std::vector<double> waveNumber_;
+  std::vector<double> blocks_;  // per four components: ω, ε, k_x, k_y, a; four of each
   double gravity_ = kStandardGravity;
   double ramp_ = 0.0;
 };
