@@ -97,7 +97,7 @@ class AddedMassConstraint final : public btTypedConstraint {
   btMatrix3x3 solved_;          // of the solve under way
   btMatrix3x3 followed_;        // the caller's
   bool follows_ = false;
-  Vec3 mean_ = Vec3::Zero();         // V in E
+  Vec3 mean_ = Vec3::Zero();          // V in E
   Mat3 meanTurn_ = Mat3::Identity();  // Q
   bool turns_ = false;
   btJointFeedback feedback_;

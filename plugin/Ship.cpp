@@ -42,7 +42,7 @@ Ship::Ship(btDiscreteDynamicsWorld& world, const WorldFrame& frame,
       keel_(model_->keel()),
       course_(settings.mean == Mean::Filtered ? settings.followTime : 0.0),
       restoring_(coefficients_),
-      supplementary_(coefficients_.ship.supplementary),
+      supplementary_(coefficients_.ship.supplementary, course_.follows()),
       keepers_(coefficients_.ship, coefficients_.addedMassInf, length_) {
   if (own != nullptr) {
     adoptBody(*own, settings);
@@ -50,6 +50,7 @@ Ship::Ship(btDiscreteDynamicsWorld& world, const WorldFrame& frame,
     createBody(settings);
   }
   makeExcitation(course_.heading(), course_.speed());
+  if (settings.hullLift && course_.follows()) lift_.emplace(coefficients_, length_);
   if (settings.keepSpeed) keepSpeed(*settings.keepSpeed);
   if (settings.keepCourse) keepCourse(*settings.keepCourse);
   body_->setDamping(0, 0);
@@ -174,6 +175,7 @@ void Ship::evaluate(const ShipMotion& motion) noexcept {
   parts.diffraction = excitation_->diffraction();
   parts.radiation = radiation_ ? radiation_->at(motion) : Vec6::Zero();
   parts.supplementary = supplementary_.at(motion) + keepers_.at(motion);
+  if (lift_) parts.supplementary += lift_->at(motion);
 }
 
 // Impulses, not forces: Bullet keeps forces over all ticks of one stepSimulation. The part of the

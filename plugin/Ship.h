@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hydro/forces/ExcitationForce.h"
+#include "hydro/forces/HullLift.h"
 #include "hydro/forces/Keepers.h"
 #include "hydro/forces/MeanCourse.h"
 #include "hydro/forces/RadiationForce.h"
@@ -33,10 +34,11 @@ struct ShipSettings {
   double followTime = 15.0;      ///< 1/ν of MeanCourse [s], Mean::Filtered
   Vec6 offset = Vec6::Zero();    ///< start, about the mean course, in H [m]; roll, pitch, yaw [rad]
   Vec6 velocity = Vec6::Zero();  ///< start, beside U: u, v, w [m/s], p, q, r [rad/s] in B
+  bool hullLift = true;          ///< HullLift.h, Mean::Filtered only
   std::array<bool, 6> restrained{};  ///< modes held on the mean course, each by a row of the solver
   MemoryModel memory = MemoryModel::Exponential;
-  std::optional<SpeedKeeper> keepSpeed;    ///< an engine
-  std::optional<CourseKeeper> keepCourse;  ///< a helmsman
+  std::optional<SpeedKeeper> keepSpeed{};    ///< an engine
+  std::optional<CourseKeeper> keepCourse{};  ///< a helmsman
   /// Collision shape, kept by the user, in the world's units; without it the convex hull of the ship's
   /// own mesh. Bullet's contacts work on it; hydrodynamics does not look at it.
   btCollisionShape* shape = nullptr;
@@ -54,7 +56,7 @@ struct ForceParts {
   Vec6 diffraction = Vec6::Zero();
   Vec6 radiation = Vec6::Zero();  ///< memory of the waves radiated, −∫K η̇ dτ, and −b(U)η̇ − c(U)η
   Vec6 addedMass = Vec6::Zero();      ///< −d(A∞ v)/dt, as the solver applied it
-  Vec6 supplementary = Vec6::Zero();  ///< given damping and stiffness, and the keepers
+  Vec6 supplementary = Vec6::Zero();  ///< given damping and stiffness, hull lift, keepers
 };
 
 /// State at the start t_n of the last tick and the loads that were evaluated from it.
@@ -198,6 +200,7 @@ class Ship {
   RestoringForce restoring_;
   std::optional<ExcitationForce> excitation_;
   SupplementaryForces supplementary_;
+  std::optional<HullLift> lift_;
   Keepers keepers_;
   std::optional<RadiationForce> radiation_;
 

@@ -22,7 +22,9 @@ struct WorldFrame {
 
   /// v_W = axes() v_E.
   Mat3 axes() const noexcept;
-  btVector3 upwards() const noexcept { return up == Up::Z ? btVector3(0, 0, 1) : btVector3(0, 1, 0); }
+  btVector3 upwards() const noexcept {
+    return up == Up::Z ? btVector3(0, 0, 1) : btVector3(0, 1, 0);
+  }
 
   // Directions and angular velocities: turned only.
   Vec3 directionToEarth(const btVector3& v) const noexcept {
@@ -65,9 +67,7 @@ struct WorldFrame {
   btVector3 inertia(const Vec3& principal) const noexcept;
 
  private:
-  btVector3 seaLevelVector() const noexcept {
-    return upwards() * static_cast<btScalar>(seaLevel);
-  }
+  btVector3 seaLevelVector() const noexcept { return upwards() * static_cast<btScalar>(seaLevel); }
 };
 
 CUTWATER_PLUGIN_END

@@ -11,19 +11,18 @@ namespace cutwater {
 
 namespace {
 
-constexpr double kThrustOfWeight = 0.03, kMomentOfWeight = 0.02, kSideOfWeight = 0.05;
+constexpr double kThrustOfWeight = 0.03, kMomentOfWeight = 0.02;
 
 void check(bool good, const char* what, double value) {
   if (good && std::isfinite(value)) return;
-  throw HydroError(Fault::ValueOutOfRange, std::string("Keepers: ") + what + " = " +
-                                               std::to_string(value));
+  throw HydroError(Fault::ValueOutOfRange,
+                   std::string("Keepers: ") + what + " = " + std::to_string(value));
 }
 
 }  // namespace
 
 Keepers::Keepers(const ShipParticulars& ship, const Mat6& addedMassInf, double length)
     : massSurge_(ship.mass + addedMassInf(Surge, Surge)),
-      massSway_(ship.mass + addedMassInf(Sway, Sway)),
       inertia_(ship.massMatrix()(Yaw, Yaw) + addedMassInf(Yaw, Yaw)),
       addedSway_(addedMassInf(Sway, Sway)),
       weight_(ship.mass * ship.gravity),
@@ -78,9 +77,6 @@ Vec6 Keepers::at(const ShipMotion& motion) noexcept {
         inertia_ * course_.rate * course_.rate + addedSway_ * motion.speed * motion.speed;
     force[Yaw] = std::clamp(stiffness * error - 2.0 * std::sqrt(stiffness * inertia_) * rate,
                             -course_.maxMoment, course_.maxMoment);
-    const double leeway = motion.etaDotNow[Sway] - motion.speed * motion.eta[Yaw];
-    force[Sway] += std::clamp(-massSway_ * 2.0 * std::abs(motion.speed) / length_ * leeway,
-                              -kSideOfWeight * weight_, kSideOfWeight * weight_);
   }
   time_ = motion.time;
   running_ = true;

@@ -5,8 +5,8 @@ namespace cutwater {
 
 struct ShipParticulars;
 
-/// Two helpers so that a ship can be driven at once. They stand for propeller, rudder and the lift of
-/// the hull, which potential flow lacks; a simulator with models of its own leaves them off.
+/// Two helpers so that a ship can be driven at once. They stand for propeller and rudder, which potential
+/// flow lacks; a simulator with models of its own leaves them off.
 /// Both are proportional-integral or proportional-differential rules with the limits that a ship has.
 
 /// Holds a speed by a thrust in G along the bow:
@@ -18,11 +18,10 @@ struct SpeedKeeper {
   double rate = 0.02;      ///< ν [1/s]
 };
 
-/// Holds a heading by a moment about G, and keeps her from sliding sideways on it:
+/// Holds a heading by a moment about G:
 ///   N = k e − 2√(k I') r,  e = heading wanted − heading now,  I' = I_66 + A_66(∞),
 ///   k = I'ν² + U² A_22(∞), the last term against the Munk moment that turns a hull without rudder
 ///   broadside on;  |N| ≤ limit
-///   Y = −(m + A_22(∞)) (2|U|/L) v, the lift of a hull at leeway v, |Y| ≤ 5 % of her weight.
 struct CourseKeeper {
   double heading = 0.0;    ///< wanted [rad], angle of the bow from E's x axis, about +z
   double maxMoment = 0.0;  ///< [N·m]; 0: 2 % of weight times length
@@ -65,7 +64,7 @@ class Keepers final : public ForceGenerator {
  private:
   double thrust(double speedNow, double time) noexcept;
 
-  double massSurge_, massSway_, inertia_, addedSway_, weight_, length_;
+  double massSurge_, inertia_, addedSway_, weight_, length_;
   SpeedKeeper speed_;
   CourseKeeper course_;
   bool holdsSpeed_ = false, holdsCourse_ = false;

@@ -67,7 +67,9 @@ ConvolutionWeights::ConvolutionWeights(const RetardationMatrix& retardation, dou
   const Mat6 lineTotal = retardation.linearTotal();
   for (int n = 0; n < 36; ++n) {
     const int j = n / 6, k = n % 6;
-    const Pair pair{j, k, pairs_.size() * ring_,
+    const Pair pair{j,
+                    k,
+                    pairs_.size() * ring_,
                     {size[0](j, k) > 0.0, size[1](j, k) > 0.0, size[2](j, k) > 0.0}};
     if (pair.holds[0] || pair.holds[1] || pair.holds[2]) pairs_.push_back(pair);
   }
@@ -98,23 +100,34 @@ void ConvolutionWeights::balance(double* run, double missing) const {
 Convolution::Convolution(std::shared_ptr<const ConvolutionWeights> weights)
     : weights_(std::move(weights)), past_(6 * 2 * weights_->ring(), 0.0) {}
 
-Vec6 Convolution::advance(const Vec6& etaDot, double speed) noexcept {
-  const ConvolutionWeights& w = *weights_;
-  next_ = (next_ == 0 ? w.ring() : next_) - 1;
+void Convolution::enter(const Vec6& etaDot) noexcept {
+  const std::size_t size = weights_->ring();
+  next_ = (next_ == 0 ? size : next_) - 1;
   for (std::size_t mode = 0; mode < 6; ++mode) {
     double* ring = ringOf(mode);
-    ring[next_] = ring[next_ + w.ring()] = etaDot(static_cast<int>(mode));
+    ring[next_] = ring[next_ + size] = etaDot(static_cast<int>(mode));
   }
-  const double share[3] = {1.0, speed, speed * speed};
+}
+
+Vec6 Convolution::force(std::size_t part) noexcept {
   Vec6 force = Vec6::Zero();
-  for (const auto& pair : w.pairs()) {
-    const double* past = ringOf(static_cast<std::size_t>(pair.k)) + next_;
-    for (std::size_t part = 0; part < 3; ++part) {
-      if (!pair.holds[part] || share[part] == 0.0) continue;
-      force(pair.j) += share[part] * dotProduct(w.run(part, pair), past, w.ring());
-    }
+  for (const auto& pair : weights_->pairs()) {
+    if (!pair.holds[part]) continue;
+    force(pair.j) += dotProduct(weights_->run(part, pair),
+                                ringOf(static_cast<std::size_t>(pair.k)) + next_, weights_->ring());
   }
   return force;
+}
+
+Vec6 Convolution::advance(const Vec6& etaDot, double speed) noexcept {
+  enter(etaDot);
+  if (speed == 0.0) return force(0);
+  return force(0) + speed * (force(1) + speed * force(2));
+}
+
+RadiationMemory::Parts Convolution::advanceParts(const Vec6& etaDot) noexcept {
+  enter(etaDot);
+  return {force(0), force(1), force(2)};
 }
 
 void Convolution::reset() noexcept { std::fill(past_.begin(), past_.end(), 0.0); }

@@ -22,11 +22,11 @@ class ConvolutionWeights {
 
   double step() const noexcept { return step_; }
   std::size_t length() const noexcept { return length_; }  ///< ticks remembered
-  std::size_t ring() const noexcept { return ring_; }      ///< length, rounded up to a multiple of 8
+  std::size_t ring() const noexcept { return ring_; }  ///< length, rounded up to a multiple of 8
 
   struct Pair {
     int j, k;
-    std::size_t offset;  ///< of its run
+    std::size_t offset;         ///< of its run
     std::array<bool, 3> holds;  ///< of K⁰, K^U, K^UU: what is not zero
   };
   const std::vector<Pair>& pairs() const noexcept { return pairs_; }
@@ -58,12 +58,15 @@ class Convolution final : public RadiationMemory {
   std::size_t length() const noexcept { return weights_->length(); }
   using RadiationMemory::advance;
   Vec6 advance(const Vec6& etaDot, double speed) noexcept override;
+  Parts advanceParts(const Vec6& etaDot) noexcept override;
   void reset() noexcept override;
   std::size_t stateSize() const noexcept override { return 2 + 6 * weights_->ring(); }
   void save(std::span<double> state) const noexcept override;
   void restore(std::span<const double> state) override;
 
  private:
+  void enter(const Vec6& etaDot) noexcept;
+  Vec6 force(std::size_t part) noexcept;
   double* ringOf(std::size_t mode) noexcept { return past_.data() + mode * 2 * weights_->ring(); }
 
   std::shared_ptr<const ConvolutionWeights> weights_;

@@ -22,6 +22,12 @@ CUTWATER_VECTOR void enter(double* re, double* im, const double* advance, double
   }
 }
 
+/// r = a + U (b + U c).
+CUTWATER_VECTOR void combine(double* r, const double* a, const double* b, const double* c, double U,
+                             std::size_t count) noexcept {
+  for (std::size_t i = 0; i < count; ++i) r[i] = a[i] + U * (b[i] + U * c[i]);
+}
+
 /// Σ a_i b_i, in one fixed order.
 CUTWATER_VECTOR double weighted(const double* a, const double* b, std::size_t count) noexcept {
   double lane[4] = {};
@@ -34,14 +40,14 @@ CUTWATER_VECTOR double weighted(const double* a, const double* b, std::size_t co
 }  // namespace
 
 ExponentialMemory::ExponentialMemory(const ExponentialSum& sum, double step)
-    : sum_(sum), step_(step), width_((sum.size() + 3) / 4 * 4) {
+    : sum_(sum), step_(step), width_(sum.width()) {
   if (!(step > 0.0) || !std::isfinite(step)) {
     throw HydroError(Fault::ValueOutOfRange,
                      fmt::format("ExponentialMemory: step = {} s, must be > 0", step));
   }
   advance_.assign(4 * width_, 0.0);
   states_.assign(6 * 2 * width_, 0.0);
-  residues_.assign(sum.pairs().size() * 2 * width_, 0.0);
+  residues_ = sum.runs(0);
   for (std::size_t m = 0; m < sum.size(); ++m) {
     const Complex s = sum.poles()[m], e = std::exp(s * step), g = (e - 1.0) / s;
     advance_[m] = e.real();
@@ -49,36 +55,41 @@ ExponentialMemory::ExponentialMemory(const ExponentialSum& sum, double step)
     advance_[2 * width_ + m] = g.real();
     advance_[3 * width_ + m] = g.imag();
   }
-  weigh(0.0);
 }
 
 void ExponentialMemory::weigh(double speed) noexcept {
-  double* at = residues_.data();
-  for (const ExponentialSum::Pair& pair : sum_.pairs()) {
-    for (std::size_t m = 0; m < sum_.size(); ++m) {
-      const Complex R = pair.atRest[m] + speed * (pair.linear[m] + speed * pair.squared[m]);
-      at[m] = -R.real();
-      at[width_ + m] = R.imag();
-    }
-    at += 2 * width_;
-  }
+  combine(residues_.data(), sum_.runs(0).data(), sum_.runs(1).data(), sum_.runs(2).data(), speed,
+          residues_.size());
   weighed_ = speed;
 }
 
-Vec6 ExponentialMemory::advance(const Vec6& etaDot, double speed) noexcept {
-  if (speed != weighed_) weigh(speed);
+void ExponentialMemory::enterAll(const Vec6& etaDot) noexcept {
   for (std::size_t k = 0; k < 6; ++k) {
     double* z = states_.data() + 2 * k * width_;
     enter(z, z + width_, advance_.data(), etaDot[static_cast<int>(k)], width_);
   }
+}
+
+Vec6 ExponentialMemory::force(const std::vector<double>& runs) const noexcept {
   Vec6 force = Vec6::Zero();
-  const double* residues = residues_.data();
+  const double* residues = runs.data();
   for (const ExponentialSum::Pair& pair : sum_.pairs()) {
     const double* z = states_.data() + static_cast<std::size_t>(2 * pair.k) * width_;
     force[pair.j] += weighted(residues, z, 2 * width_);
     residues += 2 * width_;
   }
   return force;
+}
+
+Vec6 ExponentialMemory::advance(const Vec6& etaDot, double speed) noexcept {
+  if (speed != weighed_) weigh(speed);
+  enterAll(etaDot);
+  return force(residues_);
+}
+
+RadiationMemory::Parts ExponentialMemory::advanceParts(const Vec6& etaDot) noexcept {
+  enterAll(etaDot);
+  return {force(sum_.runs(0)), force(sum_.runs(1)), force(sum_.runs(2))};
 }
 
 void ExponentialMemory::reset() noexcept { std::fill(states_.begin(), states_.end(), 0.0); }

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <complex>
 #include <vector>
 
@@ -31,6 +32,11 @@ class ExponentialSum {
   };
   const std::vector<Pair>& pairs() const noexcept { return pairs_; }
 
+  /// Poles, rounded up to a multiple of four.
+  std::size_t width() const noexcept { return (poles_.size() + 3) / 4 * 4; }
+  /// −Re R, then +Im R of part 0, 1, 2 (K⁰, K^U, K^UU): two runs of width() for each pair.
+  const std::vector<double>& runs(std::size_t part) const noexcept { return runs_[part]; }
+
   Mat6 at(double tau, double speed) const;  ///< K(U, τ)
   /// ∫₀^∞ K(U, τ) e^{−iωτ} dτ.
   CMat6 transform(double omega, double speed) const;
@@ -40,8 +46,11 @@ class ExponentialSum {
   double error() const noexcept { return error_; }
 
  private:
+  void makeRuns();
+
   std::vector<Complex> poles_;
   std::vector<Pair> pairs_;
+  std::array<std::vector<double>, 3> runs_;
   double error_ = 0.0;
 };
 
@@ -56,6 +65,7 @@ class ExponentialMemory final : public RadiationMemory {
   double step() const noexcept override { return step_; }
   using RadiationMemory::advance;
   Vec6 advance(const Vec6& etaDot, double speed) noexcept override;
+  Parts advanceParts(const Vec6& etaDot) noexcept override;
   void reset() noexcept override;
   std::size_t stateSize() const noexcept override { return 1 + states_.size(); }
   void save(std::span<double> state) const noexcept override;
@@ -63,12 +73,14 @@ class ExponentialMemory final : public RadiationMemory {
 
  private:
   void weigh(double speed) noexcept;
+  void enterAll(const Vec6& etaDot) noexcept;
+  Vec6 force(const std::vector<double>& runs) const noexcept;
 
   const ExponentialSum& sum_;
   double step_;
-  std::size_t width_;             // poles, rounded up to a multiple of four
-  std::vector<double> advance_;   // Re, Im of e^{sh}; Re, Im of (e^{sh} − 1)/s: four runs of width_
-  std::vector<double> states_;    // per mode Re z, Im z: two runs of width_
+  std::size_t width_;            // poles, rounded up to a multiple of four
+  std::vector<double> advance_;  // Re, Im of e^{sh}; Re, Im of (e^{sh} − 1)/s: four runs of width_
+  std::vector<double> states_;   // per mode Re z, Im z: two runs of width_
   std::vector<double> residues_;  // per pair −Re R(U), +Im R(U): two runs of width_
   double weighed_ = 0.0;          // U of residues_
 };

@@ -20,6 +20,11 @@ class RadiationMemory {
   /// finite spoils the memory: reset() or restore() after it.   @param speed U [m/s].
   virtual Vec6 advance(const Vec6& etaDot, double speed) noexcept = 0;
   Vec6 advance(const Vec6& etaDot) noexcept { return advance(etaDot, 0.0); }
+  /// The same with the parts apart: F = atRest + U linear + U² squared.
+  struct Parts {
+    Vec6 atRest, linear, squared;
+  };
+  virtual Parts advanceParts(const Vec6& etaDot) noexcept = 0;
   /// Forgets: as if at rest on the mean course for ever.
   virtual void reset() noexcept = 0;
 

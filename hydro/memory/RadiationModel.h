@@ -30,6 +30,7 @@ class RadiationModel {
   /// @param step h [s] > 0.  @throws HydroError ValueOutOfRange.
   std::unique_ptr<RadiationMemory> makeMemory(double step) const;
 
+  ForwardSpeedForm form() const noexcept { return retardation_.form(); }
   MemoryModel memoryModel() const noexcept { return memory_; }
   const RetardationMatrix& retardation() const noexcept { return retardation_; }
   /// False: the database holds no ∂A, ∂B, which the report's form needs at U ≠ 0.

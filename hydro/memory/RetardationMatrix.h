@@ -46,6 +46,7 @@ class RetardationMatrix {
 
   /// False: the report's form, and the database holds no ∂A, ∂B. K^U, K^UU, b and c are then zero.
   bool hasSpeedTerms() const noexcept { return hasSpeedTerms_; }
+  ForwardSpeedForm form() const noexcept { return form_; }
   SpeedKernels kernels(double tau) const;
   /// ∫ of the three over τ from a to b ≥ a [s]: K⁰ and K^U exact, K^UU by three Gauss points.
   SpeedKernels integrals(double a, double b) const;
@@ -57,7 +58,7 @@ class RetardationMatrix {
   Transforms transforms(double omega) const;
   /// ∫₀^∞ K^U dτ [unit of B · s/m]; ∫₀^∞ K⁰ dτ = 0.
   Mat6 linearTotal() const;
-  const Mat6& speedDamping() const noexcept { return speedDamping_; }      ///< b/U [unit of B · s/m]
+  const Mat6& speedDamping() const noexcept { return speedDamping_; }  ///< b/U [unit of B · s/m]
   const Mat6& speedStiffness() const noexcept { return speedStiffness_; }  ///< c/U² [kg/m ...]
   const Mat6& addedMassXInf() const noexcept { return addedMassXInf_; }    ///< ∂A^∞, consistent
 
