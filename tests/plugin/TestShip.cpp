@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "hydro/memory/RetardationFunction.h"
 #include "tests/support/CsvTable.h"
 
 namespace cutwater::test {
@@ -61,6 +62,49 @@ Coefficients hemisphere() {
   }
   c.addedMassZero = translations(0.5, 0.8310);
   c.addedMassInf = translations(0.2732, 0.5);
+  addWaveForces(c);
+  return c;
+}
+
+// B_jk = b_jk (2ω)⁴/(1 + ω²)⁴ is positive for every ω where b is; A follows from it.
+Coefficients slenderShip() {
+  Coefficients c;
+  ShipParticulars& ship = c.ship;
+  ship.name = "slender";
+  ship.mass = 4.0e6;
+  ship.cog = Vec3(0, 0, 1);
+  ship.gyradii = Vec3(6, 28, 28);
+  ship.volume = ship.mass / kDensity;
+  ship.density = kDensity;
+  ship.gravity = kSphereGravity;
+  ship.symmetric = true;
+  ship.restoring(2, 2) = 1.2e7;
+  ship.restoring(3, 3) = 5e7;
+  ship.restoring(4, 4) = 9e9;
+  ship.supplementary.damping[Roll] = 2e7;
+  Vec6 mass;
+  mass << 1e5, 1.5e6, 4e6, 3e7, 3e9, 1e9;
+  c.addedMassInf = mass.asDiagonal();
+  c.addedMassInf(Sway, Yaw) = c.addedMassInf(Yaw, Sway) = -2e6;
+  c.addedMassInf(Heave, Pitch) = c.addedMassInf(Pitch, Heave) = 1e7;
+  const Mat6 b = 0.5 * c.addedMassInf;
+  std::vector<double> law;
+  for (int i = 1; i <= 60; ++i) {
+    c.omega.push_back(0.1 * i);
+    law.push_back(std::pow(2.0 * c.omega.back() / (1.0 + c.omega.back() * c.omega.back()), 4));
+  }
+  const RetardationFunction memory(c.omega, law);
+  for (std::size_t i = 0; i < c.omega.size(); ++i) {
+    c.damping.push_back(law[i] * b);
+    c.addedMass.push_back(c.addedMassInf - memory.sineTransform(c.omega[i]) / c.omega[i] * b);
+  }
+  c.addedMassZero = c.addedMassInf + memory.remaining(0.0) * b;
+  c.forwardSpeed = ForwardSpeedForm::Tuck;
+  for (const double x : {-55.0, 55.0}) {
+    for (const double y : {-7.0, 7.0}) {
+      for (const double z : {-5.0, 6.0}) ship.hull.vertices.emplace_back(x, y, z);
+    }
+  }
   addWaveForces(c);
   return c;
 }
