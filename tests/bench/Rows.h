@@ -32,5 +32,7 @@ SolveSettings sweep(int frequencies, int threads);
 /// Databases of Table 4, with and without lid; what a frequency takes, part by part; how both grow
 /// with panels and threads.
 void benchSolver(std::string& csv);
+/// A ship's tick, whole and by part; how it grows with components, ships, memory; fleets.
+void benchTimeDomain(std::string& csv, const Coefficients& coefficients);
 
 }  // namespace cutwater::bench

@@ -5,17 +5,13 @@
 // hydrodynamics. A fleet's seconds are for one
 // second of its life. Budgets are the project's for one core of a 2.6 to 3.5 GHz server (two for the
 // databases). The checksum is the sum of the answers: a speed-up that changes physics shows.
-#include <btBulletDynamicsCommon.h>
-
 #include <cstdio>
 #include <string>
 
-#include "demos/BulletWorld.h"
 #include "hydro/AtomicFile.h"
 #include "hydro/geometry/Hydrostatics.h"
 #include "hydro/geometry/Shapes.h"
-#include "hydro/waves/Spectrum.h"
-#include "plugin/Seaway.h"
+#include "hydro/memory/ConsistentLimit.h"
 #include "tests/bench/Rows.h"
 
 namespace cutwater::bench {
@@ -60,72 +56,15 @@ void add(std::string& csv, const Row& row) {
 
 }  // namespace cutwater::bench
 
-namespace {
-
-using namespace cutwater;
-using namespace cutwater::bench;
-
-// Seconds that `ticks` of a world with so many ships take, or with as many plain bodies, and the sum
-// of where the ships are then.
-std::pair<double, double> runWorld(const Coefficients& coefficients, int ships, int ticks,
-                                   int components, bool wet) {
-  const btScalar tick = btScalar(1) / 60;
-  SeaStateSettings settings;
-  settings.components = components;
-  BulletWorld bullet;
-  Seaway seaway(bullet.world, wet ? makeSeaState(Spectrum{}, settings) : SeaState{});
-  btSphereShape shape(5);
-  std::vector<std::unique_ptr<btRigidBody>> dry;
-  for (int i = 0; i < ships; ++i) {
-    if (wet) {
-      seaway.addShip(coefficients, {.y = 100.0 * i});
-      continue;
-    }
-    dry.push_back(std::make_unique<btRigidBody>(btScalar(1), nullptr, &shape, btVector3(1, 1, 1)));
-    dry.back()->setWorldTransform(
-        btTransform(btQuaternion::getIdentity(), btVector3(0, btScalar(100 * i), 0)));
-    bullet.world.addRigidBody(dry.back().get());
-  }
-  bullet.world.stepSimulation(tick, 1, tick);
-  const double seconds = secondsOf([&] {
-    for (int i = 0; i < ticks; ++i) bullet.world.stepSimulation(tick, 1, tick);
-  });
-  double checksum = 0.0;
-  for (const auto& ship : seaway.ships()) checksum += ship->position().z();
-  for (const auto& body : dry) bullet.world.removeRigidBody(body.get());
-  return {seconds, checksum};
-}
-
-// One tick of one ship.
-void benchTick(std::string& csv, const std::string& name, const Coefficients& coefficients,
-               int components, double budget) {
-  constexpr int kTicks = 6000;
-  const auto [dry, nothing] = runWorld(coefficients, 1, kTicks, components, false);
-  const auto [wet, checksum] = runWorld(coefficients, 1, kTicks, components, true);
-  add(csv, {name, coefficients.ship.wetSurface.faces.size(), 1, wet / kTicks, dry / kTicks, budget,
-            checksum});
-}
-
-// One second of a fleet at 60 Hz.
-void benchFleet(std::string& csv, const std::string& name, const Coefficients& coefficients,
-                int ships, int components) {
-  constexpr int kTicks = 60;
-  const auto [dry, nothing] = runWorld(coefficients, ships, kTicks, components, false);
-  const auto [wet, checksum] = runWorld(coefficients, ships, kTicks, components, true);
-  add(csv, {name, coefficients.ship.wetSurface.faces.size(), 1, wet, dry, 1.0, checksum});
-}
-
-}  // namespace
-
 int main(int argc, char** argv) try {
   const std::string option = argc > 1 ? argv[1] : "";
   if (argc != 1 && !(argc == 3 && option == "-o"))
     return std::puts("usage: cutwater_bench [-o FILE.csv]"), 2;
+  using namespace cutwater;
+  using namespace cutwater::bench;
   std::string csv = "name,panels,threads,seconds,floor_seconds,budget_seconds,checksum\n";
-  const Coefficients coefficients = buildCoefficients(frigate(224), sweep(30, 0));
-  benchTick(csv, "linear ship, one tick, 6 modes, 200 wave components", coefficients, 200, 2e-6);
-  benchTick(csv, "linear ship, one tick, 6 modes, regular wave", coefficients, 1, 2e-6);
-  benchFleet(csv, "1000 linear ships at 60 Hz, one core", coefficients, 1000, 20);
+  const Coefficients coefficients = readyForUse(buildCoefficients(frigate(224), sweep(60, 0)));
+  benchTimeDomain(csv, coefficients);
   benchSolver(csv);
   if (argc == 3) {
     writeWhole(argv[2], csv);

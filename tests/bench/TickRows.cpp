@@ -1,0 +1,201 @@
+#include <btBulletDynamicsCommon.h>
+
+#include <cmath>
+#include <utility>
+
+#include "demos/BulletWorld.h"
+#include "hydro/waves/Spectrum.h"
+#include "plugin/Seaway.h"
+#include "tests/bench/Rows.h"
+
+namespace cutwater::bench {
+namespace {
+
+constexpr double kTick60 = 1.0 / 60.0;
+
+SeaState sea(int components) {
+  if (components == 1) return SeaState({{0.7, 1.0, 0.0, 2.5}}, kStandardGravity);
+  SeaStateSettings settings;
+  settings.components = components;
+  return makeSeaState(Spectrum{}, settings);
+}
+
+/// Ships on a line, 200 m apart, in a world of their own.
+struct Fleet {
+  Fleet(const Coefficients& coefficients, int ships, int components, const ShipSettings& settings,
+        unsigned threads = 1)
+      : seaway(bullet.world, sea(components)) {
+    seaway.setThreads(threads);
+    for (int i = 0; i < ships; ++i) {
+      ShipSettings one = settings;
+      one.y = 200.0 * i;
+      seaway.addShip(coefficients, one);
+    }
+  }
+  void step(int ticks, double tick) {
+    for (int i = 0; i < ticks; ++i)
+      bullet.world.stepSimulation(static_cast<btScalar>(tick), 1, static_cast<btScalar>(tick));
+  }
+  double checksum() const {
+    double sum = 0.0;
+    for (const auto& ship : seaway.ships()) sum += ship->position().z() + ship->attitude().x();
+    return sum;
+  }
+  BulletWorld bullet;
+  Seaway seaway;
+};
+
+/// Seconds of so many ticks of as many plain bodies: Bullet's own step.
+double drySeconds(int bodies, int ticks) {
+  BulletWorld bullet;
+  btSphereShape shape(5);
+  std::vector<std::unique_ptr<btRigidBody>> dry;
+  for (int i = 0; i < bodies; ++i) {
+    dry.push_back(std::make_unique<btRigidBody>(btScalar(1), nullptr, &shape, btVector3(1, 1, 1)));
+    dry.back()->setWorldTransform(
+        btTransform(btQuaternion::getIdentity(), btVector3(0, btScalar(200 * i), 0)));
+    bullet.world.addRigidBody(dry.back().get());
+  }
+  const auto tick = static_cast<btScalar>(kTick60);
+  bullet.world.stepSimulation(tick, 1, tick);
+  const double seconds = secondsOf([&] {
+    for (int i = 0; i < ticks; ++i) bullet.world.stepSimulation(tick, 1, tick);
+  });
+  for (const auto& body : dry) bullet.world.removeRigidBody(body.get());
+  return seconds;
+}
+
+Row rowOf(const std::string& name, const Coefficients& c) {
+  Row row{name, c.ship.wetSurface.faces.size(), 1};
+  return row;
+}
+
+/// One tick of one ship, Bullet included; the floor is Bullet with a plain body.
+void benchTick(std::string& csv, const std::string& name, const Coefficients& c, int components,
+               double budget, const ShipSettings& settings = {}) {
+  constexpr int kTicks = 20000;
+  Fleet fleet(c, 1, components, settings);
+  fleet.step(10, kTick60);
+  Row row = rowOf(name, c);
+  row.seconds = secondsOf([&] { fleet.step(kTicks, kTick60); }) / kTicks;
+  row.floor = drySeconds(1, kTicks) / kTicks;
+  row.budget = budget;
+  row.checksum = fleet.checksum();
+  add(csv, row);
+}
+
+/// Our share of a tick without Bullet's step: beginTick and endTick of one ship.
+void benchShare(std::string& csv, const std::string& name, const Coefficients& c, int components,
+                double budget, const ShipSettings& settings = {}) {
+  constexpr int kTicks = 50000;
+  Fleet fleet(c, 1, components, settings);
+  fleet.step(10, kTick60);
+  Ship& ship = *fleet.seaway.ships().front();
+  double time = fleet.seaway.time();
+  Row row = rowOf(name, c);
+  row.seconds = secondsOf([&] {
+                  for (int i = 0; i < kTicks; ++i, time += kTick60) {
+                    ship.beginTick(time, static_cast<btScalar>(kTick60));
+                    ship.endTick(static_cast<btScalar>(kTick60));
+                  }
+                }) /
+                kTicks;
+  row.budget = budget;
+  row.checksum = ship.lastTick().forces.radiation.allFinite() ? 1.0 : 0.0;
+  add(csv, row);
+}
+
+template <class Work>
+void benchPart(std::string& csv, const std::string& name, const Coefficients& c, Work work) {
+  constexpr int kTimes = 100000;
+  Row row = rowOf(name, c);
+  ShipMotion motion;
+  motion.etaDot << 0.1, 0.2, 0.3, 0.01, 0.02, 0.03;
+  motion.etaDotNow = motion.etaDot;
+  row.seconds = secondsOf([&] {
+                  for (int i = 0; i < kTimes; ++i) {
+                    motion.time += kTick60;
+                    motion.etaDot[Heave] = std::sin(motion.time);
+                    row.checksum += work(motion)[Heave];
+                  }
+                }) /
+                kTimes;
+  add(csv, row);
+}
+
+void benchParts(std::string& csv, const Coefficients& c) {
+  for (const int components : {1, 20, 200}) {
+    ExcitationForce force(c, sea(components), 0.3, 5.0);
+    benchPart(csv, "tick: excitation, components " + std::to_string(components), c,
+              [&](ShipMotion& m) { return force.at(m); });
+  }
+  {
+    ExcitationForce force(std::make_shared<ExcitationTable>(c, sea(200)), 0.3, 5.0);
+    benchPart(csv, "tick: excitation, components 200, while turning 1 deg/s", c,
+              [&](ShipMotion& m) {
+                m.meanHeading += 1.7e-2 * kTick60;
+                return force.at(m);
+              });
+  }
+  for (const MemoryModel memory : {MemoryModel::Exponential, MemoryModel::Convolution}) {
+    const std::string name = memory == MemoryModel::Exponential ? "tick: radiation, exponential sum"
+                                                                : "tick: radiation, convolution";
+    auto model = std::make_shared<RadiationModel>(c, memory);
+    for (const double speed : {0.0, 10.0}) {
+      RadiationForce force(model, kTick60);
+      benchPart(csv, name + (speed > 0.0 ? ", under way" : ", at rest"), c, [&](ShipMotion& m) {
+        m.speed = speed;
+        return force.at(m);
+      });
+    }
+  }
+}
+
+/// One second of a fleet at 60 Hz; the floor is Bullet with as many plain bodies.
+void benchFleet(std::string& csv, const std::string& name, const Coefficients& c, int ships,
+                int components, const ShipSettings& settings, unsigned threads = 1) {
+  constexpr int kTicks = 60;
+  Fleet fleet(c, ships, components, settings, threads);
+  fleet.step(5, kTick60);
+  Row row = rowOf(name, c);
+  row.threads = static_cast<int>(threads);
+  row.seconds = secondsOf([&] { fleet.step(kTicks, kTick60); });
+  row.floor = drySeconds(ships, kTicks);
+  row.budget = ships == 1000 ? 1.0 : 0.0;
+  row.checksum = fleet.checksum();
+  add(csv, row);
+}
+
+}  // namespace
+
+void benchTimeDomain(std::string& csv, const Coefficients& c) {
+  ShipSettings free;
+  free.mean = Mean::Filtered;
+  free.speed = 8.0;
+  free.keepSpeed = SpeedKeeper{.speed = 8.0};
+  free.keepCourse = CourseKeeper{};
+  ShipSettings oracle;
+  oracle.memory = MemoryModel::Convolution;
+  benchShare(csv, "linear ship, one tick, 6 modes, 200 wave components", c, 200, 2e-6);
+  benchShare(csv, "linear ship, one tick, 6 modes, regular wave", c, 1, 2e-6);
+  benchShare(csv, "linear ship, one tick, convolution, 200 wave components", c, 200, 0.0, oracle);
+  benchShare(csv, "linear ship, one tick, free and kept, 200 wave components", c, 200, 0.0, free);
+  benchTick(csv, "linear ship and Bullet, one tick, 200 wave components", c, 200, 0.0);
+  benchTick(csv, "linear ship and Bullet, one tick, regular wave", c, 1, 0.0);
+  benchParts(csv, c);
+  for (const int ships : {1, 10, 100}) {
+    benchFleet(csv, std::to_string(ships) + " linear ships at 60 Hz, one core", c, ships, 20, {});
+  }
+  benchFleet(csv, "1000 linear ships at 60 Hz, one core", c, 1000, 20, {});
+  benchFleet(csv, "1000 linear ships at 60 Hz, 200 wave components, one core", c, 1000, 200, free);
+  benchFleet(csv, "1000 linear ships at 60 Hz, 200 wave components", c, 1000, 200, free, 2);
+  // The report's own run: one ship in a regular wave at ticks of 0.1 s, 30 times real time there.
+  Fleet report(c, 1, 1, {});
+  constexpr int kTicks = 60000;
+  Row row = rowOf("regular wave, ticks of 0.1 s, one second of one ship", c);
+  row.seconds = secondsOf([&] { report.step(kTicks, 0.1); }) / (kTicks * 0.1);
+  row.checksum = report.checksum();
+  add(csv, row);
+}
+
+}  // namespace cutwater::bench
