@@ -1,4 +1,4 @@
-// The tables and figures of the report's frequency domain ([M03] sections 4 to 6) for our frigate:
+// The tables and figures of the report's frequency domain ([M03] sections 4 to 7) for our frigate:
 // report_figures OUT_DIR [--panels N] [--every K]
 // Look for: the meshes' damping on one line and their U dA/dx close (figures 15-20); one source point
 // spoils U dA33 at high frequency (6); condition numbers peak where A and B do, with lid nowhere (7-12);
@@ -11,7 +11,7 @@
 
 int main(int argc, char** argv) try {
   using namespace cutwater::report;
-  CLI::App app("Tables 2-4 and figures 6-12, 15-24 of DRDC Atlantic TM 2003-104, as CSV files");
+  CLI::App app("Tables 2-4 and figures 6-12, 15-30 of DRDC Atlantic TM 2003-104, as CSV files");
   Job job;
   std::string ship = CUTWATER_MESHES "/frigate/ship.toml";
   int panels = 0;
@@ -36,6 +36,8 @@ int main(int argc, char** argv) try {
   writeFigure6(job, medium);
   say("figures 21 to 24");
   writeFigures21To24(job, medium);
+  say("figures 25 to 30");
+  writeFigures25To30(job, medium);
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "report_figures: %s\n", error.what());

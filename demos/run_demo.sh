@@ -28,6 +28,12 @@ for beta in 030 090 150 180; do
   "$cutwater" rao "$database" --heading "${beta#0}" --omega 0.2:2:361 -o "$out/rao_$beta.csv"
   gnuplot -e "in='$out/sweep_$beta.csv'; rao='$out/rao_$beta.csv'; out='$out/sweep_$beta.png'; name='${beta#0} deg'" "$root/demos/plot_sweep.gp"
 done
+for beta in 030 150; do
+  say "sweep: regular waves at 20 knots, heading ${beta#0} deg"
+  "$cutwater" sweep "$root/demos/runs/sweep_20kn_$beta.toml" -o "$out/sweep_20kn_$beta.csv"
+  "$cutwater" rao "$database" --speed 10.2889 --heading "${beta#0}" --omega 0.2:2:361 -o "$out/rao_20kn_$beta.csv"
+  gnuplot -e "in='$out/sweep_20kn_$beta.csv'; rao='$out/rao_20kn_$beta.csv'; out='$out/sweep_20kn_$beta.png'; name='${beta#0} deg, 20 knots'" "$root/demos/plot_sweep.gp"
+done
 cp "$out/sweep_150.csv" "$out/sweep.csv"
 cp "$out/sweep_150.png" "$out/sweep.png"
 

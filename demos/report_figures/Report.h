@@ -78,5 +78,7 @@ void writeFigures7To12(const Job& job, const std::vector<Sweeps>& sweeps);
 void writeFigures15To20(const Job& job, const std::vector<Sweeps>& sweeps);
 /// And differences.csv: how far the four means of Influence are from Direct, and their times.
 void writeFigures21To24(const Job& job, const Sweeps& medium);
+/// Retardation functions K⁰_jj, U K^U_jj, U² K^UU_jj over 20 s, report's form, in units of Δ r_jj² g/L.
+void writeFigures25To30(const Job& job, const Sweeps& medium);
 
 }  // namespace cutwater::report

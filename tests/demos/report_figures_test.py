@@ -37,7 +37,7 @@ def rows(folder, name):
 def bounds(path):
     with open(path, encoding="utf-8") as file:
         for row in csv.DictReader(line for line in file if not line.startswith("#")):
-            if row["figure"].isdigit() and int(row["figure"]) <= 24:
+            if row["figure"].isdigit() and int(row["figure"]) <= 30:
                 yield row
 
 
@@ -53,6 +53,8 @@ def columns(figure, quantity, panels):
         return {name: False, name + "_sources": True}
     if figure <= 22:
         return {"F" + mode + "_direct": True}
+    if figure >= 25:
+        return {quantity.replace(" ", ""): False}
     modes = ["surge", "sway", "heave", "roll", "pitch", "yaw"]
     return {f"eta{modes.index(quantity.split()[0]) + 1}_direct": True}
 
@@ -83,7 +85,7 @@ def curves(folder, row):
     for panels in meshes if 15 <= figure <= 20 else [PANELS.get(figure, medium)]:
         for column, bare in columns(figure, row["quantity"], panels).items():
             last = float(meshes[panels]["resolved_omega_without_lid" if bare else "resolved_omega"])
-            table = [line for line in rows(folder, name) if abs(float(line["omega_e"])) <= last]
+            table = [line for line in rows(folder, name) if abs(float(line.get("omega_e", 0))) <= last]
             yield column, [float(line[column]) for line in table]
 
 
