@@ -15,8 +15,8 @@ constexpr double kThrustOfWeight = 0.03, kMomentOfWeight = 0.02, kSideOfWeight =
 
 void check(bool good, const char* what, double value) {
   if (good && std::isfinite(value)) return;
-  throw HydroError(Fault::ValueOutOfRange, std::string("Keepers: ") + what + " = " +
-                                               std::to_string(value));
+  throw HydroError(Fault::ValueOutOfRange,
+                   std::string("Keepers: ") + what + " = " + std::to_string(value));
 }
 
 }  // namespace

@@ -13,8 +13,7 @@ MeanCourse::MeanCourse(double followTime) : rate_(followTime > 0.0 ? 1.0 / follo
                    "MeanCourse: follow time = " + std::to_string(followTime) + " s");
 }
 
-void MeanCourse::reset(double x, double y, double heading, double speed,
-                       double turnRate) noexcept {
+void MeanCourse::reset(double x, double y, double heading, double speed, double turnRate) noexcept {
   along_[0] = {x, speed * std::cos(heading), 0.0};
   along_[1] = {y, speed * std::sin(heading), 0.0};
   along_[2] = {heading, follows() ? turnRate : 0.0, 0.0};
@@ -23,8 +22,9 @@ void MeanCourse::reset(double x, double y, double heading, double speed,
 
 void MeanCourse::Follower::follow(double rate, double step, double error,
                                   double velocitySeen) noexcept {
-  acceleration += step * rate *
-                  (rate * rate * error + 3.0 * rate * (velocitySeen - velocity) - 3.0 * acceleration);
+  acceleration +=
+      step * rate *
+      (rate * rate * error + 3.0 * rate * (velocitySeen - velocity) - 3.0 * acceleration);
   velocity += step * acceleration;
   place += step * velocity;
 }

@@ -48,9 +48,8 @@ std::vector<Mat6> overBand(const Coefficients& c,
 
 /// @param memory  of `c`.
 ConsistentLimit limitOf(const Coefficients& c, const RetardationMatrix& memory) {
-  const std::vector<Mat6> values = overBand(c, [&](std::size_t i) {
-    return memory.addedMassInf(c.omega[i], c.addedMass[i]);
-  });
+  const std::vector<Mat6> values =
+      overBand(c, [&](std::size_t i) { return memory.addedMassInf(c.omega[i], c.addedMass[i]); });
   ConsistentLimit limit;
   const Mat6 direct = directLimit(c);
   if (values.empty() || !(direct.diagonal().head<3>().maxCoeff() > 0.0)) return limit;

@@ -22,11 +22,11 @@ class ConvolutionWeights {
 
   double step() const noexcept { return step_; }
   std::size_t length() const noexcept { return length_; }  ///< ticks remembered
-  std::size_t ring() const noexcept { return ring_; }      ///< length, rounded up to a multiple of 8
+  std::size_t ring() const noexcept { return ring_; }  ///< length, rounded up to a multiple of 8
 
   struct Pair {
     int j, k;
-    std::size_t offset;  ///< of its run
+    std::size_t offset;         ///< of its run
     std::array<bool, 3> holds;  ///< of K⁰, K^U, K^UU: what is not zero
   };
   const std::vector<Pair>& pairs() const noexcept { return pairs_; }

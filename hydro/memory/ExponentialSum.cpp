@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kSpeeds[] = {0.0, 2.5, 5.0, 10.0, 15.0};  // [m/s] at which errors are weighed
 constexpr double kNegligible = 1e-9;  // of √(K_jj K_kk): a pair that vanishes by symmetry
-constexpr double kBand = 1.5;         // a coefficient's size at ω is its largest from ω/1.5 to 1.5 ω
-constexpr double kFloor = 3e-4;       // of its largest at all, and no less
+constexpr double kBand = 1.5;    // a coefficient's size at ω is its largest from ω/1.5 to 1.5 ω
+constexpr double kFloor = 3e-4;  // of its largest at all, and no less
 constexpr int kIterations = 6;
 
 /// ω of the fit: evenly over what the data resolve, then in growing steps ten times as far.
@@ -41,15 +41,12 @@ struct Spectrum {
     for (const double w : omega) values.push_back(K.transforms(w));
   }
   const CMat6& part(std::size_t i, std::size_t part) const {
-    return part == 0   ? values[i].atRest
-           : part == 1 ? values[i].linear
-                       : values[i].squared;
+    return part == 0 ? values[i].atRest : part == 1 ? values[i].linear : values[i].squared;
   }
   /// B(U) + iωA(U) at frequency i.
   Complex impedance(std::size_t i, double U, int j, int k) const {
     const Complex iw(0.0, omega[i]);
-    return iw * addedMassInf(j, k) + U * speedDamping(j, k) +
-           U * U * speedStiffness(j, k) / iw +
+    return iw * addedMassInf(j, k) + U * speedDamping(j, k) + U * U * speedStiffness(j, k) / iw +
            values[i].atRest(j, k) + U * (values[i].linear(j, k) + U * values[i].squared(j, k));
   }
 };
@@ -155,8 +152,9 @@ ExponentialSum::ExponentialSum(const RetardationMatrix& retardation, const Mat6&
   error_ = worstError(spectrum.omega, responses, poles_, residues);
   for (std::size_t c = 0; c < channels.size(); ++c) {
     const auto [j, k, part] = channels[c];
-    auto pair = std::find_if(pairs_.begin(), pairs_.end(),
-                             [&](const Pair& p) { return p.j == channels[c].j && p.k == channels[c].k; });
+    auto pair = std::find_if(pairs_.begin(), pairs_.end(), [&](const Pair& p) {
+      return p.j == channels[c].j && p.k == channels[c].k;
+    });
     const std::vector<Complex> none(poles_.size(), 0.0);
     if (pair == pairs_.end()) pair = pairs_.insert(pair, {j, k, none, none, none});
     (part == 0 ? pair->atRest : part == 1 ? pair->linear : pair->squared) = residues[c];

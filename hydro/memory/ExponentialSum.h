@@ -66,9 +66,9 @@ class ExponentialMemory final : public RadiationMemory {
 
   const ExponentialSum& sum_;
   double step_;
-  std::size_t width_;             // poles, rounded up to a multiple of four
-  std::vector<double> advance_;   // Re, Im of e^{sh}; Re, Im of (e^{sh} − 1)/s: four runs of width_
-  std::vector<double> states_;    // per mode Re z, Im z: two runs of width_
+  std::size_t width_;            // poles, rounded up to a multiple of four
+  std::vector<double> advance_;  // Re, Im of e^{sh}; Re, Im of (e^{sh} − 1)/s: four runs of width_
+  std::vector<double> states_;   // per mode Re z, Im z: two runs of width_
   std::vector<double> residues_;  // per pair −Re R(U), +Im R(U): two runs of width_
   double weighed_ = 0.0;          // U of residues_
 };

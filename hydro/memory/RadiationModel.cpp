@@ -5,7 +5,8 @@ namespace cutwater {
 RadiationModel::RadiationModel(const Coefficients& coefficients, MemoryModel memory,
                                std::optional<ForwardSpeedForm> form)
     : retardation_(coefficients, form), memory_(memory) {
-  if (memory == MemoryModel::Exponential) sum_ = std::make_unique<ExponentialSum>(retardation_, coefficients.addedMassInf);
+  if (memory == MemoryModel::Exponential)
+    sum_ = std::make_unique<ExponentialSum>(retardation_, coefficients.addedMassInf);
 }
 
 std::unique_ptr<RadiationMemory> RadiationModel::makeMemory(double step) const {

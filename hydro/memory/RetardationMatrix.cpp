@@ -64,12 +64,11 @@ RetardationMatrix::RetardationMatrix(const Coefficients& coefficients,
                                      std::optional<ForwardSpeedForm> form)
     : form_(form.value_or(coefficients.forwardSpeed)) {
   const Vec6 scale = dampingScale(coefficients);
-  const std::size_t count =
-      std::min(resolvedCount(coefficients), coefficients.damping.size());
+  const std::size_t count = std::min(resolvedCount(coefficients), coefficients.damping.size());
   const auto& B = coefficients.damping;
   const auto mean = [&](std::size_t i, int j, int k) { return 0.5 * (B[i](j, k) + B[i](k, j)); };
-  const Sampler sampler{std::span(coefficients.omega.data(), resolvedCount(coefficients)).first(count),
-                        scale, mean};
+  const Sampler sampler{
+      std::span(coefficients.omega.data(), resolvedCount(coefficients)).first(count), scale, mean};
   for (int j = 0; j < 6; ++j) {
     for (int k = j; k < 6; ++k) {
       if (auto found = sampler.function(j, k)) entries_.push_back({j, k, std::move(*found)});
@@ -151,9 +150,9 @@ SpeedKernels RetardationMatrix::kernels(double tau) const {
   SpeedKernels k{at(tau), Mat6::Zero(), Mat6::Zero()};
   if (!hasSpeedTerms_) return k;
   const Mat6 T = tuckMatrix(), rest = integral(tau);
-  k.linear = rest * T.transpose() - (form_ == ForwardSpeedForm::Tuck
-                                         ? Mat6(T * rest)
-                                         : sum(entriesX_, Level::Integral, tau));
+  k.linear =
+      rest * T.transpose() -
+      (form_ == ForwardSpeedForm::Tuck ? Mat6(T * rest) : sum(entriesX_, Level::Integral, tau));
   k.squared = squared(tau);
   return k;
 }
@@ -176,9 +175,8 @@ SpeedKernels RetardationMatrix::integrals(double a, double b) const {
 }
 
 Mat6 RetardationMatrix::rise() const {
-  return form_ == ForwardSpeedForm::Tuck
-             ? Mat6(tuckMatrix() * sum(entries_, Level::Remaining, 0.0))
-             : sum(entriesX_, Level::Remaining, 0.0);
+  return form_ == ForwardSpeedForm::Tuck ? Mat6(tuckMatrix() * sum(entries_, Level::Remaining, 0.0))
+                                         : sum(entriesX_, Level::Remaining, 0.0);
 }
 
 Mat6 RetardationMatrix::linearTotal() const {
@@ -190,9 +188,9 @@ Mat6 RetardationMatrix::linearTotal() const {
 // what D lacks of its value at ω = 0, over iω.
 RetardationMatrix::Transforms RetardationMatrix::transforms(double omega) const {
   const Complex iw(0.0, omega);
-  Transforms result{damping(omega).cast<Complex>() -
-                        Complex(0.0, 1.0) * sineTransform(omega).cast<Complex>(),
-                    CMat6::Zero(), CMat6::Zero()};
+  Transforms result{
+      damping(omega).cast<Complex>() - Complex(0.0, 1.0) * sineTransform(omega).cast<Complex>(),
+      CMat6::Zero(), CMat6::Zero()};
   if (!hasSpeedTerms_) return result;
   const CMat6 Tt = tuckMatrix().transpose().cast<Complex>();
   const CMat6 D = (dampingX(omega).cast<Complex>() -

@@ -57,7 +57,7 @@ class RetardationMatrix {
   Transforms transforms(double omega) const;
   /// ∫₀^∞ K^U dτ [unit of B · s/m]; ∫₀^∞ K⁰ dτ = 0.
   Mat6 linearTotal() const;
-  const Mat6& speedDamping() const noexcept { return speedDamping_; }      ///< b/U [unit of B · s/m]
+  const Mat6& speedDamping() const noexcept { return speedDamping_; }  ///< b/U [unit of B · s/m]
   const Mat6& speedStiffness() const noexcept { return speedStiffness_; }  ///< c/U² [kg/m ...]
   const Mat6& addedMassXInf() const noexcept { return addedMassXInf_; }    ///< ∂A^∞, consistent
 

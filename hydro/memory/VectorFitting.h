@@ -1,7 +1,6 @@
 #pragma once
-#include <vector>
-
 #include <Eigen/Core>
+#include <vector>
 
 #include "hydro/Conventions.h"
 
@@ -12,7 +11,7 @@ namespace cutwater {
 struct Response {
   Eigen::VectorXcd value;
   Eigen::VectorXd weightRe, weightIm;
-  double atZero = 0.0;     ///< H(0), kept exactly if `holdsZero`
+  double atZero = 0.0;  ///< H(0), kept exactly if `holdsZero`
   bool holdsZero = false;
 };
 
