@@ -101,7 +101,7 @@ void ExcitationForce::renew(double meanHeading, double meanSpeed) noexcept {
   next_ = 0;
 }
 
-Vec6 ExcitationForce::at(const ShipMotion& motion) noexcept {
+void ExcitationForce::follow(const ShipMotion& motion) noexcept {
   std::size_t renewed = 0;
   for (std::size_t n = 0; n < std::min(kLookedAtATick, madeFor_.size()) && renewed < kRenewedATick;
        ++n) {
@@ -113,6 +113,10 @@ Vec6 ExcitationForce::at(const ShipMotion& motion) noexcept {
     }
     next_ = next_ + 1 == madeFor_.size() ? 0 : next_ + 1;
   }
+}
+
+Vec6 ExcitationForce::at(const ShipMotion& motion) noexcept {
+  if (table_ && std::isfinite(motion.meanHeading) && std::isfinite(motion.speed)) follow(motion);
   double sums[12] = {};
   sumPhasors(blocks_.data(), blocks_.size() / kBlock, motion.time, motion.meanX, motion.meanY,
              sums);
@@ -134,8 +138,9 @@ void ExcitationForce::save(std::span<double> state) const noexcept {
 }
 
 void ExcitationForce::restore(std::span<const double> state) {
-  if (state.size() != stateSize()) {
-    throw HydroError(Fault::BadArgument, "ExcitationForce::restore: state of " +
+  const auto count = static_cast<double>(std::max<std::size_t>(1, madeFor_.size()));
+  if (state.size() != stateSize() || (table_ && !(state[0] >= 0.0 && state[0] < count))) {
+    throw HydroError(Fault::BadArgument, "ExcitationForce::restore: not a state of this force: " +
                                              std::to_string(state.size()) + " numbers, here are " +
                                              std::to_string(stateSize()));
   }

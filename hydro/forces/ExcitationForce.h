@@ -47,7 +47,7 @@ class ExcitationForce final : public ForceGenerator {
   /// Exact state of a course that may turn: what each component was last renewed for. Empty on a fixed one.
   std::size_t stateSize() const noexcept { return table_ ? 1 + 2 * madeFor_.size() : 0; }
   void save(std::span<double> state) const noexcept;
-  /// @throws HydroError BadArgument: another number of components.
+  /// @throws HydroError BadArgument: another number of components, a place among them that is none.
   void restore(std::span<const double> state);
 
  private:
@@ -58,6 +58,7 @@ class ExcitationForce final : public ForceGenerator {
   void setAmplitude(std::size_t component, const CVec6& froudeKrylov,
                     const CVec6& diffraction) noexcept;
   void renew(std::size_t component, const Course& course) noexcept;
+  void follow(const ShipMotion& motion) noexcept;
 
   SeaState sea_;
   // Per four components 28 runs of four: ω, ε, k_x, k_y, then a Re F̂_I (6), a Im F̂_I, a Re F̂_D, a Im F̂_D.

@@ -11,11 +11,10 @@
 #include "hydro/Errors.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/database/Interpolation.h"
+#include "hydro/forces/SmallPanels.h"
 #include "hydro/forces/WaveExcitation.h"
-#include "hydro/geometry/PanelQuadrature.h"
 #include "hydro/geometry/SolverPanels.h"
 #include "hydro/waves/IncidentWaveForce.h"
-#include "hydro/waves/VectorSine.h"
 
 namespace cutwater {
 
@@ -25,7 +24,6 @@ constexpr double kPhaseStep = 0.5;    // [rad] at the ends of the ship, node to 
 constexpr double kUsualSpeed = 10.0;  // [m/s] at which b^x is weighed against b
 constexpr double kBasisError =
     1e-4;  // of the largest adjoint vector: what directions may leave out
-constexpr std::size_t kMostDirections = 64;
 constexpr std::size_t kVectorNodes = 128;  // of ω_e
 constexpr int kParityModes[2][3] = {{Surge, Heave, Pitch}, {Sway, Roll, Yaw}};
 
@@ -37,39 +35,10 @@ double reachOf(double omega, double length, double gravity) {
 /// [rad] from node to node: waves shorter than the ship push her less and less, and may be as much coarser.
 double phaseStep(double reach) { return kPhaseStep * std::sqrt(std::max(1.0, reach / 8.0)); }
 
-/// Weights of four evenly spaced nodes −1, 0, 1, 2 at x in [0, 1].
-std::array<double, 4> evenCubic(double x) noexcept {
-  const double a = x + 1.0, b = x - 1.0, c = x - 2.0;
-  return {-x * b * c / 6.0, a * b * c / 2.0, -a * x * c / 2.0, a * x * b / 6.0};
-}
-
 double lengthOf(const SurfaceMesh& mesh) {
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (const Vec3& v : mesh.vertices) low = std::min(low, v.x()), high = std::max(high, v.x());
   return high > low ? high - low : 1.0;
-}
-
-/// sum += weight · row, `count` a multiple of four.
-CUTWATER_VECTOR void addRow(double* sum, const double* row, double weight,
-                            std::size_t count) noexcept {
-  for (std::size_t i = 0; i < count; i += 4) {
-    const Four v = loadFour(sum + i) + weight * loadFour(row + i);
-    std::memcpy(sum + i, &v, sizeof v);
-  }
-}
-
-/// Σ b q of complex numbers given as runs of Re and Im, `count` of each, a multiple of four.
-CUTWATER_VECTOR void complexDot(const double* b, const double* q, std::size_t count, double* re,
-                                double* im) noexcept {
-  Four real = {}, imaginary = {};
-  for (std::size_t i = 0; i < count; i += 4) {
-    const Four x = loadFour(b + i), y = loadFour(b + count + i);
-    const Four u = loadFour(q + i), v = loadFour(q + count + i);
-    real += x * u - y * v;
-    imaginary += x * v + y * u;
-  }
-  *re = sumOf(real);
-  *im = sumOf(imaginary);
 }
 
 /// Orthonormal directions that hold all columns to `error` of the largest, the longest remainder first.
@@ -89,99 +58,6 @@ Eigen::MatrixXd directions(Eigen::MatrixXd columns, double error, std::size_t mo
   basis.conservativeResize(Eigen::NoChange, (found + 3) / 4 * 4);  // by fours, for the vector code
   basis.rightCols(basis.cols() - found).setZero();
   return basis;
-}
-
-/// What a panel's mean of a wave needs: to second order in its size over the wave length.
-struct SmallPanel {
-  Vec3 centre, normal;  // from G in plan, from calm water in height
-  double area = 0.0;
-  Eigen::Matrix3d spread;  // ∫(x − c)(x − c)ᵀ dS / area
-  Vec3 arm;                // c − G
-};
-
-std::vector<SmallPanel> smallPanels(const PanelMesh& mesh, const Vec3& cog) {
-  std::vector<SmallPanel> panels;
-  for (const Panel& p : mesh.panels) {
-    SmallPanel small{p.centroid - Vec3(cog.x(), cog.y(), 0.0), p.normal, p.area,
-                     Eigen::Matrix3d::Zero(), p.centroid - cog};
-    for (const QuadraturePoint& point : panelQuadrature(p, 3)) {
-      const Vec3 r = point.x - p.centroid;
-      small.spread += point.weight / p.area * r * r.transpose();
-    }
-    panels.push_back(small);
-  }
-  return panels;
-}
-
-SmallPanel starboard(SmallPanel p) {
-  for (Vec3* v : {&p.centre, &p.normal, &p.arm}) v->y() = -v->y();
-  for (const int i : {0, 2}) p.spread(i, 1) = p.spread(1, i) = -p.spread(i, 1);
-  return p;
-}
-
-/// κ = k(−i cos β, i sin β, 1) and the mean of e^{κ·x} over a panel, and of (x − c) e^{κ·x}.
-struct PlaneWave {
-  Eigen::Vector3cd kappa;
-  explicit PlaneWave(const AiryWave& wave) {
-    const double k = wave.omega * wave.omega / wave.gravity;
-    kappa = k * Eigen::Vector3cd(Complex(0.0, -std::cos(wave.heading)),
-                                 Complex(0.0, std::sin(wave.heading)), 1.0);
-  }
-  Complex mean(const SmallPanel& p, Eigen::Vector3cd& moment) const {
-    const double phase = kappa.x().imag() * p.centre.x() + kappa.y().imag() * p.centre.y();
-    const Complex at =
-        std::exp(kappa.z().real() * p.centre.z()) * Complex(std::cos(phase), std::sin(phase));
-    const Eigen::Vector3cd bent = p.spread.cast<Complex>() * kappa;
-    moment = at * bent;
-    return at * (1.0 + 0.5 * (kappa.x() * bent.x() + kappa.y() * bent.y() + kappa.z() * bent.z()));
-  }
-};
-
-/// F_I per metre of amplitude, as froudeKrylovForce.
-CVec6 pressure(const std::vector<SmallPanel>& panels, const AiryWave& wave, bool symmetric,
-               double density) {
-  const PlaneWave e(wave);
-  CVec6 sum = CVec6::Zero();
-  const auto add = [&](const SmallPanel& p) {
-    Eigen::Vector3cd arm;
-    const Complex mean = e.mean(p, arm);
-    arm += mean * p.arm;
-    const Vec3& n = p.normal;
-    sum.head<3>() += p.area * mean * n;
-    sum[3] += p.area * (arm.y() * n.z() - arm.z() * n.y());
-    sum[4] += p.area * (arm.z() * n.x() - arm.x() * n.z());
-    sum[5] += p.area * (arm.x() * n.y() - arm.y() * n.x());
-  };
-  for (const SmallPanel& p : panels) {
-    add(p);
-    if (symmetric) add(starboard(p));
-  }
-  return -density * wave.gravity * sum;
-}
-
-/// As incidentNormalVelocity.
-IncidentVelocity normalVelocity(const std::vector<SmallPanel>& panels, const AiryWave& wave,
-                                bool symmetric) {
-  const PlaneWave e(wave);
-  const Complex amplitude(0.0, -wave.gravity / wave.omega);
-  const auto count = static_cast<Eigen::Index>(panels.size());
-  IncidentVelocity v{Eigen::VectorXcd(count), Eigen::VectorXcd(symmetric ? count : 0)};
-  const auto mean = [&](const SmallPanel& p) {
-    Eigen::Vector3cd unused;
-    const Complex across =
-        e.kappa.x() * p.normal.x() + e.kappa.y() * p.normal.y() + e.kappa.z() * p.normal.z();
-    return amplitude * across * e.mean(p, unused);
-  };
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const SmallPanel& p = panels[static_cast<std::size_t>(i)];
-    const Complex port = mean(p);
-    v.even[i] = port;
-    if (!symmetric) continue;
-    const Complex other = mean(starboard(p));
-    v.even[i] = 0.5 * (port + other);
-    v.odd[i] = 0.5 * (port - other);
-  }
-  return v;
 }
 
 /// work(0) … work(count − 1) on all cores; what it throws comes out of here.
@@ -217,13 +93,16 @@ std::vector<double> gridFrequencies(const SeaState& sea, double length) {
   own.erase(std::unique(own.begin(), own.end()), own.end());
   std::vector<double> grid;
   if (own.empty()) return grid;
-  for (double omega = own.front();;) {
+  const double last = own.back(), widest = (last - own.front()) / 3.0;  // a cubic has four nodes
+  for (double omega = own.front(); omega < last;) {
     grid.push_back(omega);
-    if (omega >= own.back()) break;
     const double reach = reachOf(omega, length, sea.gravity());
-    const double step = std::min(0.05 * own.back() + 0.02, 0.5 * omega * phaseStep(reach) / reach);
-    omega = std::min(omega + step, own.back());
+    const double step =
+        std::min({widest, 0.05 * last + 0.02, 0.5 * omega * phaseStep(reach) / reach});
+    omega += step;
+    if (last - omega < 0.01 * step) break;
   }
+  grid.push_back(last);
   return own.size() <= grid.size() + 4 ? own : grid;
 }
 
@@ -237,6 +116,7 @@ ExcitationTable::ExcitationTable(const Coefficients& c, const SeaState& sea,
       hasVectors_(!c.adjoint.empty() && !c.ship.wetSurface.faces.empty()),
       length_(lengthOf(c.ship.wetSurface)) {
   if (sea.components().empty()) return;
+  checkComponents(c);
   if (hasVectors_) {
     makeVectors(c);
   } else {
@@ -244,6 +124,20 @@ ExcitationTable::ExcitationTable(const Coefficients& c, const SeaState& sea,
   }
   makeRows(c);
   error_ = measureError(c);
+}
+
+// As WaveExcitation would at rest; what speeds a course may have is not known here.
+void ExcitationTable::checkComponents(const Coefficients& c) const {
+  if (c.omega.empty())
+    throw HydroError(Fault::DatabaseIncomplete, "ExcitationTable: the database has no frequencies");
+  for (std::size_t i = 0; i < sea_.components().size(); ++i) {
+    const double omega = sea_.components()[i].omega;
+    if (omega <= c.omega.back() * (1.0 + 1e-9)) continue;
+    throw HydroError(Fault::ValueOutOfRange,
+                     "ExcitationTable: wave component " + std::to_string(i) +
+                         ": omega = " + std::to_string(omega) +
+                         " rad/s is above the database's last, " + std::to_string(c.omega.back()));
+  }
 }
 
 void ExcitationTable::makeVectors(const Coefficients& c) {
@@ -329,26 +223,30 @@ void ExcitationTable::makeRows(const Coefficients& c) {
     panels = smallPanels(solverPanels(c.ship.wetSurface, symmetric_, c.curvedPanels), c.ship.cog);
     faces = smallPanels(makePanels(triangulated(c.ship.wetSurface), symmetric_), c.ship.cog);
   }
-  shared(rows_.size(), [&](std::size_t i) {
-    const Row& row = rows_[i];
-    for (std::size_t h = 0; h < row.headings; ++h) {
-      double* at = &values_[row.offset + h * width_];
-      if (symmetric_ && h > row.headings / 2) {
-        mirror(&values_[row.offset + (row.headings - h) * width_], at);
-        continue;
-      }
-      const double beta = 2.0 * kPi * static_cast<double>(h) / static_cast<double>(row.headings);
-      const AiryWave wave{row.omega, beta, sea_.gravity()};
-      if (hasVectors_) {
-        put(pressure(faces, wave, symmetric_, c.ship.density), at);
-        enter(normalVelocity(panels, wave, symmetric_), at + 12);
-      } else {
-        const auto force = direct.at(row.omega, beta);
-        put(force.froudeKrylov, at);
-        put(force.diffraction, at + 12);
-      }
+  const auto fill = [&](const AiryWave& wave, double* at) {
+    if (hasVectors_) {
+      put(froudeKrylovForce(faces, wave, symmetric_, c.ship.density), at);
+      enter(incidentNormalVelocity(panels, wave, symmetric_), at + 12);
+    } else {
+      const auto force = direct.at(wave.omega, wave.heading);
+      put(force.froudeKrylov, at);
+      put(force.diffraction, at + 12);
     }
-  });
+  };
+  shared(rows_.size(), [&](std::size_t i) { fillRow(rows_[i], fill); });
+}
+
+template <class Fill>
+void ExcitationTable::fillRow(const Row& row, const Fill& fill) {
+  for (std::size_t h = 0; h < row.headings; ++h) {
+    double* at = &values_[row.offset + h * width_];
+    if (symmetric_ && h > row.headings / 2) {
+      mirror(&values_[row.offset + (row.headings - h) * width_], at);
+      continue;
+    }
+    const double beta = 2.0 * kPi * static_cast<double>(h) / static_cast<double>(row.headings);
+    fill({row.omega, beta, sea_.gravity()}, at);
+  }
 }
 
 void ExcitationTable::put(const CVec6& force, double* at) {
@@ -372,92 +270,6 @@ void ExcitationTable::mirror(const double* from, double* to) const {
   for (std::size_t i = hasVectors_ ? 12 + 2 * rank_[0] : width_; i < width_; ++i) to[i] = -to[i];
 }
 
-void ExcitationTable::addHeadings(const Row& row, double beta, double share,
-                                  double* sum) const noexcept {
-  const auto count = static_cast<double>(row.headings);
-  const double turn = beta / (2.0 * kPi), x = (turn - std::floor(turn)) * count;
-  const double floor = std::floor(x);
-  const auto weights = evenCubic(x - floor);
-  const auto first = static_cast<std::size_t>(floor) + row.headings - 1;
-  for (std::size_t n = 0; n < 4; ++n) {
-    const double* at = &values_[row.offset + (first + n) % row.headings * width_];
-    addRow(sum, at, share * weights[n], width_);
-  }
-}
-
-CVec6 ExcitationTable::diffraction(double* q, double omegaE, double speed) const noexcept {
-  const double omega = std::abs(omegaE);
-  const bool overtaking = omegaE < 0.0;
-  std::array<double, 4> weights{};
-  std::array<std::size_t, 4> nodes{};
-  if (omega >= last_) {
-    const double u = last_ / omega, rest = hasInfinity_ ? u * u : 1.0;
-    weights = {rest, hasInfinity_ ? 1.0 - rest : 0.0, 0.0, 0.0};
-    nodes = {vectorCount_ - 1, hasInfinity_ ? vectorCount_ : 0, 0, 0};
-  } else {
-    const double x = omega / vectorStep_;
-    const double low = std::clamp(std::floor(x), 1.0, static_cast<double>(vectorCount_ - 3));
-    weights = evenCubic(x - low);
-    for (std::size_t n = 0; n < 4; ++n) nodes[n] = static_cast<std::size_t>(low) - 1 + n;
-  }
-  if (overtaking) {  // of v*, and the force's conjugate
-    for (std::size_t p = 0, at = rank_[0]; p < 2; ++p, at += rank_[0] + rank_[1])
-      for (std::size_t i = 0; i < rank_[p]; ++i) q[at + i] = -q[at + i];
-  }
-  CVec6 force = CVec6::Zero();
-  for (std::size_t n = 0; n < 4; ++n) {
-    if (weights[n] == 0.0) continue;
-    const double* b = &vectors_[nodes[n] * vectorSize_];
-    for (int part = 0; part < 2; ++part) {
-      const double share = weights[n] * (part == 0 ? omega : speed);
-      for (int mode = 0; mode < 6; ++mode) {
-        const std::size_t p = symmetric_ && mode % 2 == 1 ? 1 : 0;
-        double re = 0.0, im = 0.0;
-        complexDot(b, q + (p == 0 ? 0 : 2 * rank_[0]), rank_[p], &re, &im);
-        force[mode] += share * Complex(re, im);
-        b += 2 * rank_[p];
-      }
-    }
-  }
-  if (overtaking) force = force.conjugate().eval();
-  return force;
-}
-
-ExcitationTable::Amplitude ExcitationTable::at(std::size_t component, double course,
-                                               double speed) const noexcept {
-  const WaveComponent& wave = sea_.components()[component];
-  return atWave(wave.omega, wave.heading + course, speed);
-}
-
-ExcitationTable::Amplitude ExcitationTable::atWave(double omega, double beta,
-                                                   double speed) const noexcept {
-  std::array<double, 12 + 4 * kMostDirections> sum;
-  std::fill_n(sum.begin(), width_, 0.0);
-  const auto above = std::upper_bound(rows_.begin(), rows_.end(), omega,
-                                      [](double w, const Row& row) { return w < row.omega; });
-  const auto right = static_cast<std::size_t>(above - rows_.begin());
-  const std::size_t count = std::min<std::size_t>(4, rows_.size());
-  const std::size_t first = std::min(rows_.size() - count, right < 2 ? 0 : right - 2);
-  for (std::size_t i = first; i < first + count; ++i) {
-    double weight = 1.0;
-    for (std::size_t n = first; n < first + count; ++n) {
-      if (n != i) weight *= (omega - rows_[n].omega) / (rows_[i].omega - rows_[n].omega);
-    }
-    if (weight != 0.0) addHeadings(rows_[i], beta, weight, sum.data());
-  }
-  Amplitude result;
-  for (int j = 0; j < 6; ++j) {
-    const auto i = static_cast<std::size_t>(j);
-    result.froudeKrylov[j] = Complex(sum[i], sum[6 + i]);
-    result.diffraction[j] = Complex(sum[12 + i], sum[18 + i]);
-  }
-  if (hasVectors_) {
-    const double omegaE = encounterFrequency(omega, speed, beta, sea_.gravity());
-    result.diffraction = diffraction(sum.data() + 12, omegaE, speed);
-  }
-  return result;
-}
-
 double ExcitationTable::measureError(const Coefficients& c) const {
   const WaveExcitation direct(c, form_);
   const bool moving = hasVectors_ && (form_ == ForwardSpeedForm::Tuck || !c.adjointX.empty());
@@ -465,8 +277,10 @@ double ExcitationTable::measureError(const Coefficients& c) const {
   constexpr int kPoints = 48;
   for (int i = 0; i < kPoints; ++i) {
     const auto at = static_cast<std::size_t>(i) * (sea_.components().size() - 1) / (kPoints - 1);
-    const double omega = sea_.components()[at].omega;
-    const double beta = 2.399963229728653 * i, speed = moving ? 0.37 * (i % 41) : 0.0;
+    const double omega = sea_.components()[at].omega, beta = 2.399963229728653 * i;
+    double speed = moving ? 0.37 * (i % 41) : 0.0;
+    const double met = std::abs(encounterFrequency(omega, speed, beta, sea_.gravity()));
+    if (!hasInfinity_ && met > last_) speed = 0.0;  // nothing to compare with
     const Amplitude found = atWave(omega, beta, speed);
     const auto exact = direct.at(omega, beta, speed);
     worst = worst.max((found.froudeKrylov + found.diffraction - exact.total()).array().abs());

@@ -26,13 +26,15 @@ class ExcitationTable {
   };
 
   /// @param form  of the forward-speed terms; absent: the database's own.
-  /// @throws HydroError as WaveExcitation::at, naming the component. Without adjoint vectors in the
-  ///         database diffraction is that at rest.
+  /// @throws HydroError ValueOutOfRange, naming the component, above the database's last frequency;
+  ///         as WaveExcitation::at for a database without adjoint vectors, whose tables must hold all headings
+  ///         and whose diffraction is that at rest at every speed.
   ExcitationTable(const Coefficients& coefficients, const SeaState& sea,
                   std::optional<ForwardSpeedForm> form = {});
 
   const SeaState& sea() const noexcept { return sea_; }
   /// @param component of the sea.  @param course ψ̄ [rad].  @param speed U [m/s].
+  /// Not a number where one of them is not finite.
   Amplitude at(std::size_t component, double course, double speed) const noexcept;
 
   /// Largest distance from direct evaluation at points between the grid's, over the largest force of that
@@ -44,17 +46,27 @@ class ExcitationTable {
     double omega = 0.0;
     std::size_t headings = 0, offset = 0;  // in values_, width_ numbers a heading
   };
+  static constexpr std::size_t kMostDirections = 64;  // of each parity
+
+  void checkComponents(const Coefficients& c) const;
   void makeVectors(const Coefficients& c);
   void makeBasis(const std::vector<Coefficients::AdjointVectors>& b,
                  const std::vector<Coefficients::AdjointVectors>& bx);
   void project(const Coefficients::AdjointVectors& b, const Coefficients::AdjointVectors& bx,
                double* row) const;
   void makeRows(const Coefficients& c);
+  template <class Fill>
+  void fillRow(const Row& row, const Fill& fill);
   static void put(const CVec6& force, double* at);
   void enter(const IncidentVelocity& v, double* at) const;
   void mirror(const double* from, double* to) const;
   double measureError(const Coefficients& c) const;
   void addHeadings(const Row& row, double beta, double share, double* sum) const noexcept;
+  struct VectorNodes {  // of ω_e
+    std::array<double, 4> weights;
+    std::array<std::size_t, 4> nodes;
+  };
+  VectorNodes vectorNodes(double omegaE) const noexcept;
   CVec6 diffraction(double* q, double omegaE, double speed) const noexcept;
   Amplitude atWave(double omega, double beta, double speed) const noexcept;
 

@@ -151,17 +151,20 @@ ExponentialSum::ExponentialSum(const RetardationMatrix& retardation, const Mat6&
   const auto residues = fitResidues(spectrum.omega, responses, poles_);
   error_ = worstError(spectrum.omega, responses, poles_, residues);
   for (std::size_t c = 0; c < channels.size(); ++c) {
-    const auto [j, k, part] = channels[c];
-    auto pair = std::find_if(pairs_.begin(), pairs_.end(), [&](const Pair& p) {
-      return p.j == channels[c].j && p.k == channels[c].k;
-    });
-    const std::vector<Complex> none(poles_.size(), 0.0);
-    if (pair == pairs_.end()) pair = pairs_.insert(pair, {j, k, none, none, none});
-    (part == 0 ? pair->atRest : part == 1 ? pair->linear : pair->squared) = residues[c];
+    Pair& pair = pairOf(channels[c].j, channels[c].k);
+    const std::size_t part = channels[c].part;
+    (part == 0 ? pair.atRest : part == 1 ? pair.linear : pair.squared) = residues[c];
   }
-  std::sort(pairs_.begin(), pairs_.end(),
-            [](const Pair& a, const Pair& b) { return a.j * 6 + a.k < b.j * 6 + b.k; });
   makeRuns();
+}
+
+/// That of (j, k), made where it belongs in the order of rows if there is none.
+ExponentialSum::Pair& ExponentialSum::pairOf(int j, int k) {
+  const auto at = std::find_if(pairs_.begin(), pairs_.end(),
+                               [&](const Pair& p) { return p.j * 6 + p.k >= j * 6 + k; });
+  if (at != pairs_.end() && at->j == j && at->k == k) return *at;
+  const std::vector<Complex> none(poles_.size(), 0.0);
+  return *pairs_.insert(at, {j, k, none, none, none});
 }
 
 void ExponentialSum::makeRuns() {

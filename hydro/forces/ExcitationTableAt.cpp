@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "hydro/forces/ExcitationTable.h"
+#include "hydro/waves/VectorSine.h"
+
+namespace cutwater {
+
+namespace {
+
+/// Weights of four evenly spaced nodes −1, 0, 1, 2 at x in [0, 1].
+std::array<double, 4> evenCubic(double x) noexcept {
+  const double a = x + 1.0, b = x - 1.0, c = x - 2.0;
+  return {-x * b * c / 6.0, a * b * c / 2.0, -a * x * c / 2.0, a * x * b / 6.0};
+}
+
+/// sum += weight · row, `count` a multiple of four.
+CUTWATER_VECTOR void addRow(double* sum, const double* row, double weight,
+                            std::size_t count) noexcept {
+  for (std::size_t i = 0; i < count; i += 4) {
+    const Four v = loadFour(sum + i) + weight * loadFour(row + i);
+    std::memcpy(sum + i, &v, sizeof v);
+  }
+}
+
+/// Σ b q of complex numbers given as runs of Re and Im, `count` of each, a multiple of four.
+CUTWATER_VECTOR void complexDot(const double* b, const double* q, std::size_t count, double* re,
+                                double* im) noexcept {
+  Four real = {}, imaginary = {};
+  for (std::size_t i = 0; i < count; i += 4) {
+    const Four x = loadFour(b + i), y = loadFour(b + count + i);
+    const Four u = loadFour(q + i), v = loadFour(q + count + i);
+    real += x * u - y * v;
+    imaginary += x * v + y * u;
+  }
+  *re = sumOf(real);
+  *im = sumOf(imaginary);
+}
+
+}  // namespace
+
+void ExcitationTable::addHeadings(const Row& row, double beta, double share,
+                                  double* sum) const noexcept {
+  const auto count = static_cast<double>(row.headings);
+  const double turn = beta / (2.0 * kPi), x = (turn - std::floor(turn)) * count;
+  const double floor = std::floor(x);
+  const auto weights = evenCubic(x - floor);
+  const auto first = static_cast<std::size_t>(floor) + row.headings - 1;
+  for (std::size_t n = 0; n < 4; ++n) {
+    const double* at = &values_[row.offset + (first + n) % row.headings * width_];
+    addRow(sum, at, share * weights[n], width_);
+  }
+}
+
+// Beyond the last node b(∞) + (b(Ω) − b(∞))(Ω/ω)², or what is there held.
+ExcitationTable::VectorNodes ExcitationTable::vectorNodes(double omega) const noexcept {
+  if (omega >= last_) {
+    const double u = last_ / omega, rest = hasInfinity_ ? u * u : 1.0;
+    return {{rest, 1.0 - rest, 0.0, 0.0}, {vectorCount_ - 1, vectorCount_, 0, 0}};
+  }
+  const double x = omega / vectorStep_;
+  const double low = std::clamp(std::floor(x), 1.0, static_cast<double>(vectorCount_ - 3));
+  const auto first = static_cast<std::size_t>(low) - 1;
+  return {evenCubic(x - low), {first, first + 1, first + 2, first + 3}};
+}
+
+CVec6 ExcitationTable::diffraction(double* q, double omegaE, double speed) const noexcept {
+  const double omega = std::abs(omegaE);
+  const bool overtaking = omegaE < 0.0;
+  const auto [weights, nodes] = vectorNodes(omega);
+  if (overtaking) {  // of v*, and the force's conjugate
+    for (std::size_t p = 0, at = rank_[0]; p < 2; ++p, at += rank_[0] + rank_[1])
+      for (std::size_t i = 0; i < rank_[p]; ++i) q[at + i] = -q[at + i];
+  }
+  CVec6 force = CVec6::Zero();
+  for (std::size_t n = 0; n < 4; ++n) {
+    if (weights[n] == 0.0) continue;
+    const double* b = &vectors_[nodes[n] * vectorSize_];
+    for (int part = 0; part < 2; ++part) {
+      const double share = weights[n] * (part == 0 ? omega : speed);
+      for (int mode = 0; mode < 6; ++mode) {
+        const std::size_t p = symmetric_ && mode % 2 == 1 ? 1 : 0;
+        double re = 0.0, im = 0.0;
+        complexDot(b, q + (p == 0 ? 0 : 2 * rank_[0]), rank_[p], &re, &im);
+        force[mode] += share * Complex(re, im);
+        b += 2 * rank_[p];
+      }
+    }
+  }
+  if (overtaking) force = force.conjugate().eval();
+  return force;
+}
+
+ExcitationTable::Amplitude ExcitationTable::at(std::size_t component, double course,
+                                               double speed) const noexcept {
+  const WaveComponent& wave = sea_.components()[component];
+  return atWave(wave.omega, wave.heading + course, speed);
+}
+
+ExcitationTable::Amplitude ExcitationTable::atWave(double omega, double beta,
+                                                   double speed) const noexcept {
+  if (!std::isfinite(beta) || !std::isfinite(speed)) {
+    const CVec6 nothing = CVec6::Constant(Complex(std::nan(""), std::nan("")));
+    return {nothing, nothing};
+  }
+  std::array<double, 12 + 4 * kMostDirections> sum;
+  std::fill_n(sum.begin(), width_, 0.0);
+  const auto above = std::upper_bound(rows_.begin(), rows_.end(), omega,
+                                      [](double w, const Row& row) { return w < row.omega; });
+  const auto right = static_cast<std::size_t>(above - rows_.begin());
+  const std::size_t count = std::min<std::size_t>(4, rows_.size());
+  const std::size_t first = std::min(rows_.size() - count, right < 2 ? 0 : right - 2);
+  for (std::size_t i = first; i < first + count; ++i) {
+    double weight = 1.0;
+    for (std::size_t n = first; n < first + count; ++n) {
+      if (n != i) weight *= (omega - rows_[n].omega) / (rows_[i].omega - rows_[n].omega);
+    }
+    if (weight != 0.0) addHeadings(rows_[i], beta, weight, sum.data());
+  }
+  Amplitude result;
+  for (int j = 0; j < 6; ++j) {
+    const auto i = static_cast<std::size_t>(j);
+    result.froudeKrylov[j] = Complex(sum[i], sum[6 + i]);
+    result.diffraction[j] = Complex(sum[12 + i], sum[18 + i]);
+  }
+  if (hasVectors_) {
+    const double omegaE = encounterFrequency(omega, speed, beta, sea_.gravity());
+    result.diffraction = diffraction(sum.data() + 12, omegaE, speed);
+  }
+  return result;
+}
+
+}  // namespace cutwater
