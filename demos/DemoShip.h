@@ -1,0 +1,103 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <initializer_list>
+#include <string>
+
+#include "demos/BulletWorld.h"
+#include "hydro/AtomicFile.h"
+#include "hydro/database/CoefficientsFile.h"
+#include "plugin/Seaway.h"
+
+/// What demos share: the command line, a table, and a ship's momentum and energy with the water's.
+namespace cutwater {
+
+/// Rows of numbers that become a CSV.
+class DemoTable {
+ public:
+  explicit DemoTable(const char* header) : text_(std::string(header) + '\n') {}
+  void row(std::initializer_list<double> values) {
+    const char* between = "";
+    for (const double value : values) {
+      char digits[40];
+      std::snprintf(digits, sizeof digits, "%s%.9g", between, value);
+      text_ += digits;
+      between = ",";
+    }
+    text_ += '\n';
+  }
+  const std::string& text() const noexcept { return text_; }
+
+ private:
+  std::string text_;
+};
+
+/// Prints a quantity beside what theory says; true if they agree.
+inline bool agrees(const char* what, double value, double expected, double tolerance) {
+  const bool good = std::abs(value - expected) <= tolerance;
+  std::printf("%-52s %12.6g  theory %12.6g +- %.2g%s\n", what, value, expected, tolerance,
+              good ? "" : "  NO");
+  return good;
+}
+
+/// The same for a bound.
+inline bool isBelow(const char* what, double value, double bound) {
+  const bool good = value <= bound;
+  std::printf("%-52s %12.6g  at most %11.6g%s\n", what, value, bound, good ? "" : "  NO");
+  return good;
+}
+
+/// main() of a demo, NAME DATABASE.h5 [OUT.csv]: run(coefficients, table) tells whether physics held.
+template <class Run>
+int demoMain(int argc, char** argv, const std::string& name, const char* header, Run run) {
+  if (argc < 2)
+    return std::printf("usage: %s DATABASE.h5 [%s.csv]\n", name.c_str(), name.c_str()), 2;
+  try {
+    DemoTable table(header);
+    const bool good = run(readCoefficients(argv[1]), table);
+    writeWhole(argc > 2 ? argv[2] : name + ".csv", table.text());
+    return good ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
+    return 1;
+  }
+}
+
+inline Mat3 aboutZ(double angle) {
+  return Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
+}
+
+/// (M + A∞)v of a ship in E, moments about her G: A∞ in upright axes with her heading, M in her own.
+inline Vec6 momentum(const Ship& ship) {
+  const Mat3 upright = aboutZ(ship.attitude().z());
+  const Mat3 body = fromBullet(ship.body().getWorldTransform().getBasis());
+  const Vec6 own = ship.velocity();
+  Vec6 water;
+  water << upright.transpose() * (body * own.head<3>()),
+      upright.transpose() * (body * own.tail<3>());
+  const Vec6 inertia = ship.coefficients().ship.massMatrix() * own;
+  water = ship.coefficients().addedMassInf * water;
+  Vec6 sum;
+  sum << body * inertia.head<3>() + upright * water.head<3>(),
+      body * inertia.tail<3>() + upright * water.tail<3>();
+  return sum;
+}
+
+/// ½ vᵀ(M + A∞)v + ½ ηᵀCη [J] in the middle of a tick just ended, of length `step` [s]: Bullet's velocity
+/// is the mean over it.
+inline double energy(const Ship& ship, double step) {
+  const Mat3 body = fromBullet(ship.body().getWorldTransform().getBasis());
+  const Mat3 course = aboutZ(-ship.course().heading());
+  const Vec6 own = ship.velocity();
+  Vec6 velocity, motion = ship.motion();
+  velocity << body * own.head<3>(), body * own.tail<3>();
+  motion.head<3>() -= 0.5 * step * course * velocity.head<3>();
+  motion.tail<3>() -= 0.5 * step * course * velocity.tail<3>();
+  return 0.5 * velocity.dot(momentum(ship)) +
+         0.5 * motion.dot(ship.coefficients().ship.restoring * motion);
+}
+
+}  // namespace cutwater

@@ -1,0 +1,85 @@
+// A ship drifts at 0.3 m/s sideways onto the two fenders of a quay: quay DATABASE.h5 [OUT.csv]
+// Look for: the blow is that of (m + A22)v, a third more than the ship's own mv, and what the fenders take in
+// all is her momentum with the water's; she comes to rest and energy never rises.
+#include <algorithm>
+
+#include "demos/DemoShip.h"
+
+using namespace cutwater;
+
+namespace {
+
+constexpr double kTick = 1.0 / 64.0, kSpeed = 0.3;
+
+// What the solver's contacts gave the fenders in the tick [N s], along −y.
+double contactImpulse(btDispatcher& dispatcher) {
+  double sum = 0.0;
+  for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+    const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+    for (int k = 0; k < manifold.getNumContacts(); ++k) {
+      const btManifoldPoint& point = manifold.getContactPoint(k);
+      sum += std::abs(static_cast<double>(point.getAppliedImpulse() * point.m_normalWorldOnB.y()));
+    }
+  }
+  return sum;
+}
+
+bool run(const Coefficients& database, DemoTable& table) {
+  Coefficients frigate = database;
+  frigate.ship.supplementary = {};
+  BulletWorld bullet(frigate.ship.gravity);
+  bullet.world.getSolverInfo().m_numIterations = 50;
+  Seaway calm(bullet.world);
+  btBoxShape side(btVector3(60, 7, 4));
+  ShipSettings settings;
+  settings.shape = &side;
+  settings.velocity[Sway] = -kSpeed;
+  settings.restrained[Yaw] = true;  // else one end is there first
+  Ship& ship = calm.addShip(frigate, settings);
+  ship.body().setFriction(0);
+
+  // Fenders at the height of G, half a metre off her side.
+  btSphereShape round(1);
+  btRigidBody fore(0, nullptr, &round), aft(0, nullptr, &round);
+  for (btRigidBody* fender : {&fore, &aft}) {
+    const btScalar x = fender == &fore ? 30 : -30;
+    fender->setWorldTransform(btTransform(
+        btQuaternion::getIdentity(), btVector3(x, btScalar(-8.5), btScalar(frigate.ship.cog.z()))));
+    bullet.world.addRigidBody(fender);
+  }
+  const double mass = frigate.ship.mass, own = mass * kSpeed;
+  const double first = -momentum(ship)[Sway], energyAtFirst = energy(ship, 0.0);
+  double taken = 0.0, water = 0.0, most = 0.0, off = 0.0, before = 0.0, blow = 0.0;
+  for (int i = 0; i < 120 * 64; ++i) {
+    const double speed = -ship.velocity()[Sway];
+    bullet.world.stepSimulation(kTick, 1, kTick);
+    const double now = contactImpulse(bullet.dispatcher);
+    if (taken == 0.0) before = speed;
+    taken += now;
+    water -= kTick * ship.lastTick().forces.radiation[Sway];
+    if (blow == 0.0 && taken > 0.0 && ship.velocity()[Sway] > -0.01 * before) blow = taken;
+    most = std::max(most, energy(ship, kTick) / energyAtFirst);
+    off = std::max(off, std::abs(-momentum(ship)[Sway] + taken - water - first) / first);
+    if (i % 4 == 0) {
+      table.row({calm.time(), ship.position().y(), ship.velocity()[Sway],
+                 ship.attitude().x() * 180.0 / kPi, taken / own, water / own,
+                 -momentum(ship)[Sway] / own, energy(ship, kTick) / energyAtFirst});
+    }
+  }
+  // She also rolls a little, so that a blow at G moves not quite m + A22.
+  const Eigen::Matrix<double, 5, 5> inverse =
+      (frigate.ship.massMatrix() + frigate.addedMassInf).topLeftCorner<5, 5>().inverse();
+  bool good = calm.faults() == kStepOk;
+  good &= agrees("blow / m v", blow / mass / before, 1.0 / inverse(Sway, Sway) / mass, 0.02);
+  good &= isBelow("momentum lost between ship, water and fenders", off, 1e-4);
+  good &= isBelow("energy at most, of that at first", most, 1.0);
+  good &= isBelow("she leaves at, of her speed", ship.velocity()[Sway] / kSpeed, 0.1);
+  return good;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return demoMain(argc, argv, "quay", "t,y,sway_speed,roll_deg,taken,from_water,momentum,energy",
+                  run);
+}
