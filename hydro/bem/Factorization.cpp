@@ -13,6 +13,7 @@
 #include "hydro/Conventions.h"
 #include "hydro/Errors.h"
 #include "hydro/Vector.h"
+#include "hydro/bem/LuByHalves.h"
 
 namespace cutwater {
 namespace {
@@ -21,9 +22,7 @@ using LowComplex = std::complex<float>;
 
 // The LAPACK and BLAS routines by scalar type, column-major; _work: without a look for NaN each time.
 int getrf(int n, float* a, int* p) { return LAPACKE_sgetrf_work(LAPACK_COL_MAJOR, n, n, a, n, p); }
-int getrf(int n, LowComplex* a, int* p) {
-  return LAPACKE_cgetrf_work(LAPACK_COL_MAJOR, n, n, a, n, p);
-}
+int getrf(int n, LowComplex* a, int* p) { return luByHalves(n, a, p); }
 int getrf(int n, double* a, int* p) { return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, n, n, a, n, p); }
 int getrf(int n, Complex* a, int* p) {
   return LAPACKE_zgetrf_work(LAPACK_COL_MAJOR, n, n, a, n, p);

@@ -5,8 +5,8 @@
 
 namespace cutwater {
 
-/// LU factors of a square matrix by LAPACK, real or complex: factored in single precision, which takes
-/// half the time, the solutions refined in double precision until the residual says that they are
+/// LU factors of a square matrix, real or complex: factored in single precision (LuByHalves.h; real ones
+/// by LAPACK), which takes half the time, the solutions refined in double precision until the residual says that they are
 /// those of a matrix changed by less than kBackwardError of its norm. Where that does not come about
 /// (condition numbers above some 1e6) the factors are taken again in double precision.
 /// Immutable; any thread may call.
