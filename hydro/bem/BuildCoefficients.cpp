@@ -72,7 +72,7 @@ std::vector<double> regularFrequencies(const Coefficients& c) {
 /// only its own places, so threads need no lock.
 class Sweep {
  public:
-  using Systems = std::array<InfluenceSystem<Complex>, 2>;
+  using Room = SymmetricSystem<Complex>::Room;
 
   Sweep(Coefficients& out, const SolveSettings& settings, int threads)
       : out_(out),
@@ -121,10 +121,11 @@ class Sweep {
   }
 
   /// @param room  reused from one frequency to the next of a thread.
-  void solve(std::size_t i, Systems& room) {
+  void solve(std::size_t i, Room& room) {
     const double omega = out_.omega[i], K = omega * omega / out_.ship.gravity;
-    SymmetricSystem<Complex> system(matrices_.atWaveNumber(K, IdleLid::Drop, std::move(room)),
-                                    matrices_.parities());
+    SymmetricSystem<Complex> system(
+        matrices_.atWaveNumber(K, IdleLid::Drop, std::move(room.systems)), matrices_.parities(),
+        std::move(room.factors));
     const AdjointVectors b = adjointsOf(system);
     radiate(b, i);
     diffract(b, i);
@@ -205,7 +206,7 @@ void solveFrequencies(Sweep& sweep, Coefficients& out, const SolveSettings& sett
   int done = total - static_cast<int>(left.size());
   if (progress) progress(done, total);
   std::mutex guard;  // of `done`, of progress and of the journal
-  std::vector<Sweep::Systems> rooms(static_cast<std::size_t>(threads));
+  std::vector<Sweep::Room> rooms(static_cast<std::size_t>(threads));
   parallelFor(static_cast<int>(left.size()), threads, [&](int k) {
     const std::size_t i = left[static_cast<std::size_t>(k)];
     sweep.solve(i, rooms[static_cast<std::size_t>(omp_get_thread_num())]);

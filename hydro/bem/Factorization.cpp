@@ -12,6 +12,8 @@
 
 #include "hydro/Conventions.h"
 #include "hydro/Errors.h"
+#include "hydro/Vector.h"
+#include "hydro/bem/LuByHalves.h"
 
 namespace cutwater {
 namespace {
@@ -20,9 +22,7 @@ using LowComplex = std::complex<float>;
 
 // The LAPACK and BLAS routines by scalar type, column-major; _work: without a look for NaN each time.
 int getrf(int n, float* a, int* p) { return LAPACKE_sgetrf_work(LAPACK_COL_MAJOR, n, n, a, n, p); }
-int getrf(int n, LowComplex* a, int* p) {
-  return LAPACKE_cgetrf_work(LAPACK_COL_MAJOR, n, n, a, n, p);
-}
+int getrf(int n, LowComplex* a, int* p) { return luByHalves(n, a, p); }
 int getrf(int n, double* a, int* p) { return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, n, n, a, n, p); }
 int getrf(int n, Complex* a, int* p) {
   return LAPACKE_zgetrf_work(LAPACK_COL_MAJOR, n, n, a, n, p);
@@ -42,10 +42,18 @@ int getrs(char form, int n, int columns, const Complex* a, const int* p, Complex
 }
 
 int gecon(int n, const float* a, float norm, float* reciprocal) {
-  return LAPACKE_sgecon(LAPACK_COL_MAJOR, 'I', n, a, n, norm, reciprocal);
+  const auto size = static_cast<std::size_t>(n);
+  std::vector<float> work(4 * size);
+  std::vector<int> whole(size);
+  return LAPACKE_sgecon_work(LAPACK_COL_MAJOR, 'I', n, a, n, norm, reciprocal, work.data(),
+                             whole.data());
 }
 int gecon(int n, const LowComplex* a, float norm, float* reciprocal) {
-  return LAPACKE_cgecon(LAPACK_COL_MAJOR, 'I', n, a, n, norm, reciprocal);
+  const auto size = static_cast<std::size_t>(n);
+  std::vector<LowComplex> work(2 * size);
+  std::vector<float> real(2 * size);
+  return LAPACKE_cgecon_work(LAPACK_COL_MAJOR, 'I', n, a, n, norm, reciprocal, work.data(),
+                             real.data());
 }
 
 void gemm(CBLAS_TRANSPOSE form, int m, int n, int k, const double* a, int lda, const double* b,
@@ -65,6 +73,21 @@ void check(int info, const char* routine) {
                                               (info > 0 ? " (a zero pivot there)" : ""));
 }
 
+/// One column in single precision; |entries| added to the row sums.
+template <typename Scalar, typename Low>
+CUTWATER_INLINE void lowerColumn(const Scalar* from, Eigen::Index n, Low* to, double* sums) {
+  for (Eigen::Index i = 0; i < n; ++i) {
+    to[i] = static_cast<Low>(from[i]);
+    sums[i] += std::sqrt(std::norm(from[i]));
+  }
+}
+void lower(const double* from, Eigen::Index n, float* to, double* sums) {
+  lowerColumn(from, n, to, sums);
+}
+CUTWATER_VECTOR void lower(const Complex* from, Eigen::Index n, LowComplex* to, double* sums) {
+  lowerColumn(from, n, to, sums);
+}
+
 }  // namespace
 
 template <typename Scalar>
@@ -81,15 +104,18 @@ Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> product(
 }
 
 template <typename Scalar>
-Factorization<Scalar>::Factorization(Matrix matrix)
+Factorization<Scalar>::Factorization(Matrix matrix, LowMatrix room)
     : matrix_(std::move(matrix)),
-      lu_(matrix_.template cast<Low>()),
-      pivots_(static_cast<std::size_t>(lu_.rows())) {
-  const Eigen::VectorXd sums = matrix_.cwiseAbs2().cwiseSqrt().rowwise().sum();
+      lu_(std::move(room)),
+      pivots_(static_cast<std::size_t>(matrix_.rows())) {
+  const Eigen::Index n = matrix_.rows();
+  lu_.resize(n, n);
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(n);
+  for (Eigen::Index j = 0; j < n; ++j) lower(&matrix_(0, j), n, &lu_(0, j), sums.data());
   norm_ = sums.maxCoeff();
   if (!sums.allFinite())
     throw HydroError(Fault::MatrixSingular, "Factorization: an entry of the matrix is not finite");
-  check(getrf(static_cast<int>(lu_.rows()), lu_.data(), pivots_.data()), "getrf");
+  check(getrf(static_cast<int>(n), lu_.data(), pivots_.data()), "getrf");
 }
 
 // Columns are scaled to 1 for single precision, which has no numbers below 1e-38.
@@ -111,7 +137,6 @@ typename Factorization<Scalar>::Matrix Factorization<Scalar>::refined(char form,
     x += change.template cast<Scalar>() * scale.asDiagonal();
     rest = b - product<Scalar>(matrix_, form == 'T', x);
     const Eigen::ArrayXd left = greatest(rest);
-
     if (!left.allFinite()) break;
     if ((left <= kBackwardError * (norm_ * greatest(x) + size)).all()) return x;
   }

@@ -5,8 +5,8 @@
 
 namespace cutwater {
 
-/// LU factors of a square matrix by LAPACK, real or complex: factored in single precision, which takes
-/// half the time, the solutions refined in double precision until the residual says that they are
+/// LU factors of a square matrix, real or complex: factored in single precision (LuByHalves.h; real ones
+/// by LAPACK), which takes half the time, the solutions refined in double precision until the residual says that they are
 /// those of a matrix changed by less than kBackwardError of its norm. Where that does not come about
 /// (condition numbers above some 1e6) the factors are taken again in double precision.
 /// Immutable; any thread may call.
@@ -17,8 +17,17 @@ class Factorization {
   /// ‖b − Mx‖ / (‖M‖·‖x‖ + ‖b‖), max norms, of every column.
   static constexpr double kBackwardError = 1e-12;
 
+  using Low = std::conditional_t<std::is_same_v<Scalar, double>, float, std::complex<float>>;
+  using LowMatrix = Eigen::Matrix<Low, Eigen::Dynamic, Eigen::Dynamic>;
+  /// A matrix and its factors, to be written over by the next: saves the time in which the system
+  /// finds memory.
+  struct Room {
+    Matrix matrix;
+    LowMatrix factors;
+  };
+
   /// @throws HydroError MatrixSingular naming the pivot.
-  explicit Factorization(Matrix matrix);
+  explicit Factorization(Matrix matrix, LowMatrix room = {});
   /// M⁻¹ b.
   Matrix solve(const Matrix& b) const { return refined('N', b); }
   /// M⁻ᵀ b, plain transpose.
@@ -26,13 +35,10 @@ class Factorization {
   /// Estimate of ‖M‖·‖M⁻¹‖ in the max-row-sum norm, by ?gecon   [M03] (61), (62).
   double condition() const;
   const Matrix& matrix() const noexcept { return matrix_; }
-  /// Takes the matrix back, for its room. Nothing else may be called afterwards.
-  Matrix release() && { return std::move(matrix_); }
+  /// Takes them back. Nothing else may be called afterwards.
+  Room release() && { return {std::move(matrix_), std::move(lu_)}; }
 
  private:
-  using Low = std::conditional_t<std::is_same_v<Scalar, double>, float, std::complex<float>>;
-  using LowMatrix = Eigen::Matrix<Low, Eigen::Dynamic, Eigen::Dynamic>;
-
   Matrix refined(char form, const Matrix& b) const;
   Matrix solvedInDouble(char form, Matrix b) const;
 

@@ -13,61 +13,65 @@ constexpr int kSide = WaveTile::kSide;
 /// Beyond this many panel diameters the second moments leave less than 1e-4 of −2/R₁.
 constexpr double kExactImage = 6.0;
 
-/// Linear between tabulated form factors.
-CUTWATER_INLINE Complex between(const Complex* values, double place) {
-  const int cell = std::min(static_cast<int>(place), FormFactors::kSteps - 1);
-  return values[cell] + (place - cell) * (values[cell + 1] - values[cell]);
+/// One panel's part of a block.
+void put(const PanelPairs& pairs, int panel, std::size_t place, WaveTile::Panels& to) {
+  const Panel& of = pairs.panel(panel);
+  const auto& [u, v, second, third, fourth] = pairs.moments(panel);
+  const auto [uu, uv2, vv] = second;
+  const Eigen::Matrix3d M = uu * u * u.transpose() + vv * v * v.transpose() +
+                            0.5 * uv2 * (u * v.transpose() + v * u.transpose());
+  to.x[place] = of.centroid.x();
+  to.y[place] = of.centroid.y();
+  to.z[place] = of.centroid.z();
+  to.size[place] = pairs.size(panel);
+  to.nx[place] = of.normal.x();
+  to.ny[place] = of.normal.y();
+  to.nz[place] = of.normal.z();
+  to.xx[place] = M(0, 0);
+  to.xy[place] = M(0, 1);
+  to.yy[place] = M(1, 1);
+  to.xz[place] = M(0, 2);
+  to.yz[place] = M(1, 2);
+  to.zz[place] = M(2, 2);
 }
 
-/// Place of the unit vector e in the table of form factors.
-CUTWATER_INLINE double placeOf(double ex, double ey) {
-  const double sine = ey / (std::abs(ex) + std::abs(ey));
-  constexpr double kQuadrant = 0.25 * FormFactors::kSteps;
-  return kQuadrant * (ex < 0.0 ? 2.0 - sine : sine < 0.0 ? 4.0 + sine : sine);
+/// As field panels: of their mirror images if so; of points without extent unless the equation is
+/// averaged over them.
+WaveTile::Panels asField(WaveTile::Panels panels, bool mirrored, bool meant) {
+  const double side = mirrored ? -1.0 : 1.0, extent = meant ? 1.0 : 0.0;
+  for (std::size_t i = 0; i < WaveTile::kSide; ++i) {
+    panels.y[i] *= side;
+    panels.nx[i] *= -1.0;
+    panels.ny[i] *= -side;
+    panels.xx[i] *= extent;
+    panels.xy[i] *= extent * side;
+    panels.yy[i] *= extent;
+    panels.xz[i] *= -extent;
+    panels.yz[i] *= -extent * side;
+    panels.zz[i] *= extent;
+  }
+  return panels;
 }
 
 }  // namespace
 
 FarWave::FarWave(const PanelPairs& pairs, const RankineMatrices& rankine)
     : pairs_(pairs), rankine_(rankine) {
-  for (int i = 0; i < pairs.all(); ++i) {
-    const Panel& panel = pairs.panel(i);
-    const PanelMoments& moments = pairs.moments(i);
-    const auto [uu, uv2, vv] = moments.second;
-    const Vec3 &u = moments.u, &v = moments.v;
-    const Eigen::Matrix3d M = uu * u * u.transpose() + vv * v * v.transpose() +
-                              0.5 * uv2 * (u * v.transpose() + v * u.transpose());
-    x_.push_back(panel.centroid.x());
-    y_.push_back(panel.centroid.y());
-    z_.push_back(panel.centroid.z());
-    nx_.push_back(panel.normal.x());
-    ny_.push_back(panel.normal.y());
-    nz_.push_back(panel.normal.z());
-    area_.push_back(panel.area);
-    size_.push_back(pairs.size(i));
-    xx_.push_back(M(0, 0));
-    xy_.push_back(M(0, 1));
-    yy_.push_back(M(1, 1));
-    xz_.push_back(M(0, 2));
-    yz_.push_back(M(1, 2));
-    zz_.push_back(M(2, 2));
-  }
-  const auto all = static_cast<std::size_t>(pairs.all());
-  for (std::vector<char>& far : isFar_) far.assign(all * all, 1);
-  for (int source = 0; source < pairs.all(); ++source)
-    for (const NearPair& near : rankine.near(source))
-      isFar_[near.pair.mirrored ? 1 : 0][all * static_cast<std::size_t>(source) +
-                                         static_cast<std::size_t>(near.pair.field)] = 0;
+  const int hull = pairs.hull(), all = pairs.all();
+  for (int begin = 0; begin < hull; begin += kSide)
+    blocks_.push_back(blockOf(begin, std::min(kSide, hull - begin)));
+  for (int begin = hull; begin < all; begin += kSide)
+    blocks_.push_back(blockOf(begin, std::min(kSide, all - begin)));
+  for (int i = 0; i < all; ++i) area_.push_back(pairs.panel(i).area);
 }
 
-std::vector<FarWave::Block> FarWave::blocks(int all) const {
-  std::vector<Block> result;
-  const int hull = pairs_.hull();
-  for (int begin = 0; begin < hull; begin += kSide)
-    result.push_back({begin, std::min(kSide, hull - begin)});
-  for (int begin = hull; begin < all; begin += kSide)
-    result.push_back({begin, std::min(kSide, all - begin)});
-  return result;
+FarWave::Block FarWave::blockOf(int begin, int size) const {
+  Block block{begin, size, {}, {}};
+  for (int i = 0; i < kSide; ++i)
+    put(pairs_, begin + std::min(i, size - 1), static_cast<std::size_t>(i), block.source);
+  const bool meant = pairs_.settings().galerkinPoints > 1;
+  block.field = {asField(block.source, false, meant), asField(block.source, true, meant)};
+  return block;
 }
 
 // Blocks in groups, so that what is written with field and source exchanged goes to the same columns,
@@ -76,12 +80,13 @@ void FarWave::fill(double K, int all, Systems& systems) const {
   constexpr std::size_t kGroup = 8;
   const FormFactors form(pairs_, all, K);
   const auto tiles = std::make_unique<std::array<WaveTile, 2>>();
-  const std::vector<Block> rows = blocks(all);
-  for (std::size_t group = 0; group < rows.size(); group += kGroup) {
-    const std::size_t end = std::min(group + kGroup, rows.size());
+  std::size_t count = 0;
+  while (count < blocks_.size() && blocks_[count].begin < all) ++count;
+  for (std::size_t group = 0; group < count; group += kGroup) {
+    const std::size_t end = std::min(group + kGroup, count);
     for (std::size_t i = 0; i < end; ++i)
       for (std::size_t j = std::max(group, i); j < end; ++j)
-        fillPair(form, rows[i], rows[j], K, *tiles, systems);
+        fillPair(form, blocks_[i], blocks_[j], K, *tiles, systems);
   }
 }
 
@@ -91,7 +96,6 @@ void FarWave::fillPair(const FormFactors& form, const Block& field, const Block&
     WaveTile& tile = tiles[static_cast<std::size_t>(m)];
     place(field, source, m == 1, K, tile);
     weigh(form, field, source, m == 1, tile);
-    addMoments(field, source, m == 1, tile);
     tile.evaluate(K);
   }
   const bool two = pairs_.parities() == 2;
@@ -108,77 +112,39 @@ void FarWave::fillPair(const FormFactors& form, const Block& field, const Block&
   }
 }
 
-CUTWATER_VECTOR void FarWave::place(const Block& field, const Block& source, bool mirrored,
-                                    double K, WaveTile& t) const {
-  const double side = mirrored ? -1.0 : 1.0;
-  if (field.size < kSide || source.size < kSide) t.clear(K);
-  int exact = 0;
-  for (int j = 0; j < source.size; ++j) {
-    const auto s = static_cast<std::size_t>(source.begin + j);
-    const char* far = &isFar_[mirrored ? 1 : 0][s * x_.size()];
-    const double x = x_[s], y = y_[s], z = z_[s], size = size_[s];
-    const double nx = nx_[s], ny = ny_[s], nz = nz_[s];
-    for (int i = 0; i < field.size; ++i) {
-      const auto f = static_cast<std::size_t>(field.begin + i),
-                 k = static_cast<std::size_t>(kSide * j + i);
-      const double dx = x - x_[f], dy = y - side * y_[f], depth = -(z_[f] + z);
-      const double hh = dx * dx + dy * dy, h = std::sqrt(hh), R1 = std::sqrt(hh + depth * depth);
-      const double perH = 1.0 / (h > 0.0 ? h : 1.0), active = far[f] != 0 ? 1.0 : 0.0;
-      t.ex[k] = h > 0.0 ? dx * perH : 1.0;
-      t.ey[k] = dy * perH;
-      t.X[k] = active * K * h;
-      t.Y[k] = active * K * depth + 1.0 - active;
-      t.R1[k] = active * R1 + (1.0 - active) / K;
-      t.active[k] = active;
-      t.sourceX[k] = nx;
-      t.sourceY[k] = ny;
-      t.sourceZ[k] = nz;
-      t.fieldX[k] = -nx_[f];
-      t.fieldY[k] = -side * ny_[f];
-      t.fieldZ[k] = nz_[f];
-      exact += R1 < kExactImage * std::max(size, size_[f]) ? 1 : 0;
+/// Without pairs whose image is near, and without the places behind the last panels.
+void FarWave::place(const Block& field, const Block& source, bool mirrored, double K,
+                    WaveTile& tile) const {
+  tile.source = &source.source;
+  tile.field = &field.field[mirrored ? 1 : 0];
+  tile.takeImages = tile.place(K) < kExactImage;
+  const auto drop = [&](int i, int j) {
+    tile.drop(static_cast<std::size_t>(i), static_cast<std::size_t>(j), K);
+  };
+  for (int j = 0; j < source.size; ++j)
+    for (const NearPair& near : rankine_.near(source.begin + j, field.begin, mirrored)) {
+      if (near.pair.field >= field.begin + field.size) break;
+      drop(near.pair.field - field.begin, j);
     }
-  }
-  t.takeImages = exact > 0;
+  for (int j = 0; j < kSide; ++j)
+    for (int i = j < source.size ? field.size : 0; i < kSide; ++i) drop(i, j);
 }
 
 CUTWATER_VECTOR void FarWave::weigh(const FormFactors& form, const Block& field,
                                     const Block& source, bool mirrored, WaveTile& t) const {
   const bool meant = pairs_.settings().galerkinPoints > 1;
+  WaveTile::Column at;
+  for (std::size_t k = 0; k < WaveTile::kPairs; ++k) at[k] = FormFactors::placeOf(t.ex[k], t.ey[k]);
   for (int j = 0; j < source.size; ++j) {
     const Complex* formJ = form.of(source.begin + j);
     for (int i = 0; i < field.size; ++i) {
       const auto k = static_cast<std::size_t>(kSide * j + i);
-      const double at = placeOf(t.ex[k], t.ey[k]);
-      const Complex a = between(formJ, at);
-      const Complex b =
-          meant ? between(form.of(field.begin + i), mirrored ? FormFactors::kSteps - at : at) : 1.0;
+      const Complex a = FormFactors::between(formJ, at[k]);
+      const Complex b = meant ? FormFactors::between(form.of(field.begin + i),
+                                                     mirrored ? FormFactors::kSteps - at[k] : at[k])
+                              : 1.0;
       t.formRe[k] = a.real() * b.real() + a.imag() * b.imag();
       t.formIm[k] = a.imag() * b.real() - a.real() * b.imag();
-    }
-  }
-}
-
-// Horizontally the field panel's points count backwards; of its mirror image y does once more.
-CUTWATER_VECTOR void FarWave::addMoments(const Block& field, const Block& source, bool mirrored,
-                                         WaveTile& t) const {
-  const double meant = pairs_.settings().galerkinPoints > 1 ? 1.0 : 0.0;
-  const double side = mirrored ? -meant : meant;
-  for (int j = 0; j < source.size; ++j) {
-    const auto s = static_cast<std::size_t>(source.begin + j);
-    for (int i = 0; i < field.size; ++i) {
-      const auto f = static_cast<std::size_t>(field.begin + i),
-                 k = static_cast<std::size_t>(kSide * j + i);
-      const double ex = t.ex[k], ey = t.ey[k];
-      const double xx = xx_[s] + meant * xx_[f], xy = xy_[s] + side * xy_[f],
-                   yy = yy_[s] + meant * yy_[f], xz = xz_[s] - meant * xz_[f],
-                   yz = yz_[s] - side * yz_[f];
-      t.alongAlong[k] = ex * ex * xx + 2.0 * ex * ey * xy + ey * ey * yy;
-      t.acrossAcross[k] = ey * ey * xx - 2.0 * ex * ey * xy + ex * ex * yy;
-      t.alongAcross[k] = ex * ey * (yy - xx) + (ex * ex - ey * ey) * xy;
-      t.alongUp[k] = ex * xz + ey * yz;
-      t.acrossUp[k] = ex * yz - ey * xz;
-      t.upUp[k] = zz_[s] + meant * zz_[f];
     }
   }
 }
@@ -242,7 +208,7 @@ CUTWATER_VECTOR void FarWave::write(const Target& target, double K, const WaveTi
 CUTWATER_VECTOR void FarWave::writeImages(const Target& target, double K,
                                           const std::array<WaveTile, 2>& tiles, Parity parity,
                                           InfluenceSystem<Complex>& system) const {
-  const auto [field, source, exchanged] = target;
+  const auto& [field, source, exchanged] = target;
   const bool onLid = (pairs_.isSource() ? field : source).begin >= pairs_.hull();
   const bool one = pairs_.parities() == 1;
   const RankineParts &own = rankine_.parts(parity),

@@ -44,20 +44,21 @@ class FarWave {
   /// Consecutive panels, all of the hull or all of the lid.
   struct Block {
     int begin, size;
+    WaveTile::Panels source;
+    std::array<WaveTile::Panels, 2> field;  // [mirrored]
   };
   /// Blocks of the entries to be written: as the tile has them, or exchanged.
   struct Target {
-    Block field, source;
+    const Block &field, &source;
     bool exchanged;
   };
-  std::vector<Block> blocks(int all) const;
+  Block blockOf(int begin, int size) const;
   void fillPair(const FormFactors& form, const Block& field, const Block& source, double K,
                 std::array<WaveTile, 2>& tiles, Systems& systems) const;
   void place(const Block& field, const Block& source, bool mirrored, double K,
              WaveTile& tile) const;
   void weigh(const FormFactors& form, const Block& field, const Block& source, bool mirrored,
              WaveTile& tile) const;
-  void addMoments(const Block& field, const Block& source, bool mirrored, WaveTile& tile) const;
   void write(const Target& target, double K, const WaveTile& tile, Parity parity,
              InfluenceSystem<Complex>& system) const;
   void writeImages(const Target& target, double K, const std::array<WaveTile, 2>& tiles,
@@ -65,10 +66,8 @@ class FarWave {
 
   const PanelPairs& pairs_;
   const RankineMatrices& rankine_;
-  /// Of all panels, in order: centroid, normal, area, diameter, mean products of the distances from
-  /// the centroid.
-  std::vector<double> x_, y_, z_, nx_, ny_, nz_, area_, size_, xx_, xy_, yy_, xz_, yz_, zz_;
-  std::array<std::vector<char>, 2> isFar_;  // [mirrored][all·source + field]
+  std::vector<Block> blocks_;  // of the hull, then of the lid
+  std::vector<double> area_;   // of all panels
 };
 
 }  // namespace cutwater

@@ -1,21 +1,15 @@
 #include "hydro/bem/FormFactors.h"
 
-#include <cmath>
-
 namespace cutwater {
-namespace {
 
-/// Unit vector whose |sin|/(|sin| + |cos|), counted on through the quadrants, is step/32.
-Eigen::Vector2d directionOf(int step) {
-  constexpr int kQuadrant = FormFactors::kSteps / 4;
+Eigen::Vector2d FormFactors::directionOf(int step) {
+  constexpr int kQuadrant = kSteps / 4;
   const int quadrant = step / kQuadrant, within = step % kQuadrant;
   const double t = static_cast<double>(within) / kQuadrant;
   Eigen::Vector2d e(1.0 - t, t);
   for (int q = 0; q < quadrant; ++q) e = Eigen::Vector2d(-e.y(), e.x());
   return e.normalized();
 }
-
-}  // namespace
 
 FormFactors::FormFactors(const PanelPairs& pairs, int all, double K)
     : values_(static_cast<std::size_t>(all) * (kSteps + 1)) {

@@ -1,4 +1,8 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
+
+#include "hydro/Vector.h"
 #include "hydro/bem/PanelPairs.h"
 
 namespace cutwater {
@@ -21,6 +25,19 @@ class FormFactors {
   /// (kSteps + 1) values in a row, the last equal to the first.
   const Complex* of(int panel) const {
     return &values_[static_cast<std::size_t>(panel) * (kSteps + 1)];
+  }
+  /// Unit vector whose |sin|/(|sin| + |cos|), counted on through the quadrants, is step/32.
+  static Eigen::Vector2d directionOf(int step);
+  /// The inverse: the place, 0 … kSteps, of a unit vector.
+  static CUTWATER_INLINE double placeOf(double ex, double ey) {
+    const double sine = ey / (std::abs(ex) + std::abs(ey));
+    constexpr double kQuadrant = 0.25 * kSteps;
+    return kQuadrant * (ex < 0.0 ? 2.0 - sine : sine < 0.0 ? 4.0 + sine : sine);
+  }
+  /// One panel's values, linear between steps.
+  static CUTWATER_INLINE Complex between(const Complex* values, double place) {
+    const int cell = std::min(static_cast<int>(place), kSteps - 1);
+    return values[cell] + (place - cell) * (values[cell + 1] - values[cell]);
   }
 
  private:

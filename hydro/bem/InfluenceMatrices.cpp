@@ -174,7 +174,8 @@ void InfluenceMatrices::addFarPair(const Pair& pair, double K, Systems& systems)
   // In place of −2/R₁ of the centroids goes the panel's own, as far as K F has become that. With
   // more points than one the two are the same.
   const double R1 = std::hypot(h, depth);
-  const double share = 2.0 * inverseShare(K * R1), perR1 = 1.0 / R1, perCube = std::pow(perR1, 3);
+  const double perR1 = 1.0 / R1, perCube = std::pow(perR1, 3);
+  const double share = 2.0 * inverseShare(perR1 / K);
   const auto put = [&](const Pair& p, const Vec3& between) {
     const double area = pairs_.panel(p.source).area;
     const RankineMatrices::Image image = rankine_.imageOf(p);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "hydro/VectorMath.h"
 #include "hydro/green/WaveTerm.h"
 
 namespace cutwater {
@@ -77,56 +78,83 @@ namespace {
 
 constexpr std::size_t kMost = 48;  // points of a triangle by three 4 × 4 rules
 
-/// Where the points of the panel lie as seen from x, and the wave term there.
+/// Where the points of the panel lie as seen from x, and the wave term there. Filled up to a multiple
+/// of four with points of no weight.
 struct Seen {
-  std::array<double, kMost> X{}, Y{}, R{}, towards{};
-  std::array<double, kMost> F{}, FX{}, J0{}, J1{}, Y0{}, Y1{};
+  struct alignas(32) Column : std::array<double, kMost> {
+    CUTWATER_INLINE Four four(std::size_t i) const { return loadFour(data() + i); }
+  };
+  std::size_t count = 0;
+  Column weight, X, Y, R;
+  Column along;  // e_h·d, d the horizontal distance
+  Column F, FX, J0, J1, Y0, Y1;
 
-  Seen(const Vec3& x, const Vec3& along, std::span<const QuadraturePoint> points, double K) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Vec3& at = points[i].x;
-      const double dx = at.x() - x.x(), dy = at.y() - x.y(), depth = -(x.z() + at.z());
-      const double hh = dx * dx + dy * dy, h = std::sqrt(hh);
-      R[i] = K * std::sqrt(hh + depth * depth);
-      X[i] = K * h;
-      Y[i] = R[i] > 0.0 ? K * depth : 1.0;  // where R = 0 the wave term is not used
-      towards[i] = h > 0.0 ? points[i].weight * (along.x() * dx + along.y() * dy) / h : 0.0;
+  CUTWATER_INLINE Seen(const Vec3& x, const Vec3& e, std::span<const QuadraturePoint> points,
+                       double K) {
+    for (const QuadraturePoint& point : points) {
+      const double dx = point.x.x() - x.x(), dy = point.x.y() - x.y();
+      put(point.weight, K * std::sqrt(dx * dx + dy * dy), -K * (x.z() + point.x.z()),
+          e.x() * dx + e.y() * dy);
     }
-    waveTerms(X.data(), Y.data(), points.size(),
+    while (count % 4 != 0) put(0.0, 1.0, 1.0, 0.0);
+    for (std::size_t i = 0; i < count; i += 4) {
+      const Four r = squareRoot(X.four(i) * X.four(i) + Y.four(i) * Y.four(i));
+      storeFour(&R[i], r);
+      storeFour(&Y[i], r > 0.0 ? Y.four(i) : r + 1.0);  // where R = 0 the wave term is not used
+    }
+    waveTerms(X.data(), Y.data(), count,
               {F.data(), FX.data(), J0.data(), J1.data(), Y0.data(), Y1.data()});
+  }
+
+ private:
+  CUTWATER_INLINE void put(double area, double horizontal, double depth, double towards) {
+    weight[count] = area;
+    X[count] = horizontal;
+    Y[count] = depth;
+    along[count++] = towards;
   }
 };
 
+/// Sums over the points, weight w.
+struct Sums {
+  Four area{}, smooth{}, smoothHorizontal{}, oscillation{}, oscillationX{}, rest{}, restAlong{};
+
+  /// Four points from i on.  @param up  of the direction of the derivative.
+  CUTWATER_INLINE void add(const Seen& seen, std::size_t i, double K, double up) {
+    const Four weight = seen.weight.four(i), X = seen.X.four(i), Y = seen.Y.four(i);
+    const Four F = seen.F.four(i), FX = seen.FX.four(i), zero = {};
+    const auto apart = seen.R.four(i) > 0.0, beside = X > 0.0;
+    const Four R = apart ? seen.R.four(i) : zero + 1.0;
+    const Four towards = beside ? weight * K * seen.along.four(i) / X : zero;
+    const Four perR = 1.0 / R, cube = perR * perR * perR, FY = -F - 2.0 * perR;
+    area += weight;
+    smooth += weight * (apart ? F + 2.0 * logarithm(0.5 * (R + Y)) : zero - 2.0 * kEulerGamma);
+    smoothHorizontal += towards * (FX + 2.0 * X * perR / (R + Y));
+    rest += apart ? weight * (F + 2.0 * perR) : zero;
+    restAlong +=
+        towards * (FX - 2.0 * X * cube) - (apart ? weight * up * (FY - 2.0 * Y * cube) : zero);
+    oscillation += weight * (apart ? seen.J0.four(i) : zero + 1.0);
+    oscillationX += towards * seen.J1.four(i);
+  }
+};
+
+CUTWATER_INLINE double sum(Four x) { return (x[0] + x[1]) + (x[2] + x[3]); }
+
 }  // namespace
 
-WaveIntegral nearWave(const Vec3& x, const NearImage& image, const Vec3& along,
-                      std::span<const QuadraturePoint> points, double K) {
-  double area = 0.0, smooth = 0.0, smoothHorizontal = 0.0, oscillation = 0.0, oscillationX = 0.0;
-  double rest = 0.0, restAlong = 0.0;
-  const double share = inverseShare(K * image.distance);
+CUTWATER_VECTOR WaveIntegral nearWave(const Vec3& x, const NearImage& image, const Vec3& along,
+                                      std::span<const QuadraturePoint> points, double K) {
+  const double share = inverseShare(1.0 / (K * image.distance));
   const Seen seen(x, along, points, K);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double weight = points[i].weight, R = seen.R[i], X = seen.X[i], Y = seen.Y[i];
-    area += weight;
-    if (R == 0.0) {
-      smooth += weight * -2.0 * kEulerGamma;
-      oscillation += weight;
-      continue;
-    }
-    const double perR = 1.0 / R, cube = perR * perR * perR;
-    const double F = seen.F[i], FX = seen.FX[i], FY = -F - 2.0 * perR, towards = seen.towards[i];
-    smooth += weight * (F + 2.0 * std::log(0.5 * (R + Y)));
-    smoothHorizontal += towards * (FX + 2.0 * X * perR / (R + Y));
-    rest += weight * (F + 2.0 * perR);
-    restAlong += towards * (FX - 2.0 * X * cube) - weight * along.z() * (FY - 2.0 * Y * cube);
-    oscillation += weight * seen.J0[i];
-    oscillationX += towards * seen.J1[i];
-  }
-  const double value = K * (smooth - 2.0 * (image.log + std::log(0.5 * K) * area));
+  Sums sums;
+  for (std::size_t i = 0; i < seen.count; i += 4) sums.add(seen, i, K, along.z());
+  const double value =
+      K * (sum(sums.smooth) - 2.0 * (image.log + std::log(0.5 * K) * sum(sums.area)));
   const double vertical = K * value + 2.0 * K * image.inverse;
-  const double horizontal = K * K * smoothHorizontal - 2.0 * K * image.logAlong;
-  const double shortValue = K * rest - 2.0 * image.inverse;
-  const double shortAlong = K * K * restAlong - 2.0 * image.inverseAlong;
+  const double horizontal = K * K * sum(sums.smoothHorizontal) - 2.0 * K * image.logAlong;
+  const double shortValue = K * sum(sums.rest) - 2.0 * image.inverse;
+  const double shortAlong = K * K * sum(sums.restAlong) - 2.0 * image.inverseAlong;
+  const double oscillation = sum(sums.oscillation), oscillationX = sum(sums.oscillationX);
   return {std::lerp(value, shortValue, share) - kTwoPiI * K * oscillation,
           std::lerp(horizontal + along.z() * vertical, shortAlong, share) +
               kTwoPiI * K * K * (oscillationX - along.z() * oscillation)};

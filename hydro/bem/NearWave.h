@@ -1,6 +1,7 @@
 #pragma once
 #include <span>
 
+#include "hydro/Vector.h"
 #include "hydro/geometry/PanelQuadrature.h"
 #include "hydro/green/RankineIntegrals.h"
 
@@ -38,10 +39,11 @@ struct WavePoint {
 
 /// Share w of −2/R₁ taken out of K F and integrated exactly: 0 in long waves, 1 in short ones. Half
 /// at R = 4, where F + 2/R has become smooth on a panel as near as it is long.
-/// @param R = K R₁ of the panel's centroid.
-inline double inverseShare(double R) {
-  const double square = R * R / 16.0;
-  return square * square / (1.0 + square * square);
+/// @param perR 1/(K R₁) of the panel's centroid, a number or several.
+template <typename Number>
+CUTWATER_INLINE Number inverseShare(Number perR) {
+  const Number square = 16.0 * perR * perR;
+  return 1.0 / (1.0 + square * square);
 }
 
 /// With the singular part exact and the rest at the `points` of the panel: the share w of −2/R₁,

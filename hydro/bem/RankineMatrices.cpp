@@ -1,5 +1,7 @@
 #include "hydro/bem/RankineMatrices.h"
 
+#include <algorithm>
+
 #include "hydro/bem/Parallel.h"
 
 namespace cutwater {
@@ -140,6 +142,16 @@ void RankineMatrices::findNear(int source) {
           (imageInZ(imageInY(seen.centroid, m == 1)) - panel.centroid).norm();
       near_[static_cast<std::size_t>(source)].push_back(near);
     }
+}
+
+std::span<const NearPair> RankineMatrices::near(int source, int field, bool mirrored) const {
+  const std::vector<NearPair>& all = near(source);
+  const auto from = std::partition_point(all.begin(), all.end(), [&](const NearPair& near) {
+    return std::pair(near.pair.mirrored, near.pair.field) < std::pair(mirrored, field);
+  });
+  const auto to = std::partition_point(
+      from, all.end(), [&](const NearPair& near) { return near.pair.mirrored == mirrored; });
+  return {from, to};
 }
 
 RankineMatrices::Image RankineMatrices::imageOf(const Pair& pair) const {

@@ -33,6 +33,8 @@ class RankineMatrices {
   const std::vector<NearPair>& near(int source) const {
     return near_[static_cast<std::size_t>(source)];
   }
+  /// Of one source panel the near pairs of that side, by field panel, from `field` on.
+  std::span<const NearPair> near(int source, int field, bool mirrored) const;
   /// The image part of one pair, from those of the two parities.
   struct Image {
     double potential, normal, x;
@@ -51,7 +53,8 @@ class RankineMatrices {
 
   const PanelPairs& pairs_;
   std::array<RankineParts, 2> parts_;
-  std::vector<std::vector<NearPair>> near_;  // of each source panel
+  std::vector<std::vector<NearPair>>
+      near_;  // of each source panel: not mirrored, mirrored, by field
 };
 
 }  // namespace cutwater

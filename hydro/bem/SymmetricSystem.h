@@ -17,8 +17,16 @@ class SymmetricSystem {
  public:
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
+  using Systems = std::array<InfluenceSystem<Scalar>, 2>;
+  using Factors = std::array<typename Factorization<Scalar>::LowMatrix, 2>;
+  /// What an earlier frequency leaves, to be written over.
+  struct Room {
+    Systems systems;
+    Factors factors;
+  };
+
   /// @param systems indexed by Parity.  @param parities 1 or 2.
-  SymmetricSystem(std::array<InfluenceSystem<Scalar>, 2> systems, int parities);
+  SymmetricSystem(Systems systems, int parities, Factors room = {});
 
   /// What lies between two systems of the same hull if R, H and the inverse of L are linear there:
   /// (1 − t)a + tb.                                                         [M03] (84)-(87)
@@ -39,8 +47,8 @@ class SymmetricSystem {
   Matrix xDerivatives(Parity parity, const Matrix& v) const;
   /// b with bᵀ v = wᵀ ∂φ/∂x: L⁻ᵀ Hᵀ w.  @pre hasXDerivative().
   Matrix xAdjoints(Parity parity, const Matrix& w) const;
-  /// Takes the matrices back, for their room. Nothing else may be called afterwards.
-  std::array<InfluenceSystem<Scalar>, 2> release() &&;
+  /// Takes the matrices back. Nothing else may be called afterwards.
+  Room release() &&;
   /// Of L; of a mean of inverses that of its first part.
   double condition(Parity parity) const;
 

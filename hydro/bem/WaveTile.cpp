@@ -1,7 +1,11 @@
 #include "hydro/bem/WaveTile.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "hydro/Conventions.h"
-#include "hydro/Vector.h"
+#include "hydro/VectorMath.h"
+#include "hydro/bem/NearWave.h"
 #include "hydro/green/WaveTerm.h"
 
 namespace cutwater {
@@ -11,10 +15,10 @@ constexpr double kTwoPi = 2.0 * kPi;
 constexpr double kFrom = 1.0, kFully = 2.0;  // X: the waves o count
 
 CUTWATER_INLINE Four load(const WaveTile::Column& column, std::size_t k) {
-  return *reinterpret_cast<const Four*>(column.data() + k);
+  return loadFour(column.data() + k);
 }
 CUTWATER_INLINE void store(WaveTile::Column& column, std::size_t k, Four value) {
-  *reinterpret_cast<Four*>(column.data() + k) = value;
+  storeFour(column.data() + k, value);
 }
 CUTWATER_INLINE Four atLeast(Four a, double least) {
   const Four limit = a * 0.0 + least;
@@ -27,10 +31,28 @@ struct Jet {
   Four X, XY, YY, XYY, YYY;
 };
 
-/// K² times the moments of a tile.
+/// K² times mean products of distances from the centroids, sum over both panels, along ê and across.
 struct Moments {
   Four along, across, mixed, alongUp, acrossUp, up;
 };
+
+/// Of source panel j and the field panels from i on.
+CUTWATER_INLINE Moments moments(const WaveTile::Panels& source, std::size_t j,
+                                const WaveTile::Panels& field, std::size_t i, Four ex, Four ey,
+                                double KK) {
+  const auto both = [&](const WaveTile::Edge WaveTile::Panels::*product) -> Four {
+    return KK * ((source.*product)[j] + loadFour((field.*product).data() + i));
+  };
+  using Panels = WaveTile::Panels;
+  const Four xx = both(&Panels::xx), xy = both(&Panels::xy), yy = both(&Panels::yy),
+             xz = both(&Panels::xz), yz = both(&Panels::yz);
+  return {ex * ex * xx + 2.0 * ex * ey * xy + ey * ey * yy,
+          ey * ey * xx - 2.0 * ex * ey * xy + ex * ex * yy,
+          ex * ey * (yy - xx) + (ex * ex - ey * ey) * xy,
+          ex * xz + ey * yz,
+          ex * yz - ey * xz,
+          both(&Panels::zz)};
+}
 
 /// ½⟨(s·∇)²⟩ of a function and of its derivatives along ê, across it and by Y.
 struct Second {
@@ -121,13 +143,34 @@ CUTWATER_INLINE Jet rest(Four F, Four FX, const Inverse& r, Four share, Four w0,
 
 }  // namespace
 
-void WaveTile::clear(double K) {
-  ex.fill(1.0);
-  ey.fill(0.0);
-  X.fill(0.0);
-  Y.fill(1.0);
-  R1.fill(1.0 / K);
-  active.fill(0.0);
+CUTWATER_VECTOR double WaveTile::place(double K) {
+  Four nearest = Four{} + 1e300;
+  for (std::size_t j = 0; j < kSide; ++j)
+    for (std::size_t i = 0; i < kSide; i += 4) {
+      const std::size_t k = kSide * j + i;
+      const Four dx = source->x[j] - loadFour(&field->x[i]),
+                 dy = source->y[j] - loadFour(&field->y[i]);
+      const Four depth = -(loadFour(&field->z[i]) + source->z[j]), hh = dx * dx + dy * dy;
+      const Four h = squareRoot(hh), toImage = squareRoot(hh + depth * depth);
+      const auto apart = h > 0.0;
+      const Four perH = 1.0 / (apart ? h : h + 1.0);
+      store(ex, k, apart ? dx * perH : h + 1.0);
+      store(ey, k, dy * perH);
+      store(X, k, K * h);
+      store(Y, k, K * depth);
+      store(R1, k, toImage);
+      store(active, k, h * 0.0 + 1.0);
+      const Four ratio = toImage / atLeast(loadFour(&field->size[i]), source->size[j]);
+      nearest = ratio < nearest ? ratio : nearest;
+    }
+  return std::min({nearest[0], nearest[1], nearest[2], nearest[3]});
+}
+
+void WaveTile::drop(std::size_t fieldPlace, std::size_t sourcePlace, double K) {
+  const std::size_t k = kSide * sourcePlace + fieldPlace;
+  active[k] = X[k] = 0.0;
+  Y[k] = 1.0;
+  R1[k] = 1.0 / K;
 }
 
 void WaveTile::evaluate(double K) {
@@ -139,19 +182,19 @@ void WaveTile::evaluate(double K) {
 CUTWATER_VECTOR void WaveTile::combine(double K) {
   const double KK = K * K, images = takeImages ? 2.0 : 0.0;
   for (std::size_t k = 0; k < kPairs; k += 4) {
+    const std::size_t j = k / kSide, i = k % kSide;
     const Four x = load(X, k), f = load(f_, k), fx = load(fx_, k), use = load(active, k);
     const Four ramp = atLeast((x - kFrom) / (kFully - kFrom), 0.0);
     const Four place = 1.0 - atLeast(1.0 - ramp, 0.0);
     const Four count = place * place * (3.0 - 2.0 * place);
     const Waves w{kTwoPi * load(j0_, k), kTwoPi * load(j1_, k), kTwoPi * load(y0_, k),
                   kTwoPi * load(y1_, k)};
-    const Moments m{KK * load(alongAlong, k), KK * load(acrossAcross, k), KK * load(alongAcross, k),
-                    KK * load(alongUp, k),    KK * load(acrossUp, k),     KK * load(upUp, k)};
+    const Four ax = load(ex, k), ay = load(ey, k);
+    const Moments m = moments(*source, j, *field, i, ax, ay, KK);
     const WaveChange waves = change(w, x, count, {load(formRe, k), load(formIm, k)}, m);
 
     const Inverse r = inverse(1.0 / (K * load(R1, k)), x, load(Y, k));
-    const Four squared = r.r * r.r, fourth = 1.0 / (1.0 + 256.0 * squared * squared);
-    const Four part = images * fourth;
+    const Four part = images * inverseShare(r.r);
     const Second real = second(rest(f, fx, r, part, count * w.Y0, count * w.Y1), x, m);
     const Four left0 = (1.0 - count) * w.J0, left1 = (1.0 - count) * w.J1;
     const Second imaginary = second({left1, -left1, -left0, left1, left0}, x, m);
@@ -165,16 +208,16 @@ CUTWATER_VECTOR void WaveTile::combine(double K) {
                        use * KK * (waves.across.im + imaginary.across)};
     const Pair4 rise{use * KK * (part * r.Y - f - 2.0 * r.r - waves.value.re + real.byY),
                      use * KK * (w.J0 - waves.value.im + imaginary.byY)};
-    const Four ax = load(ex, k), ay = load(ey, k);
     const Pair4 byX{ax * slope.re - ay * across.re, ax * slope.im - ay * across.im};
     const Pair4 byY{ay * slope.re + ax * across.re, ay * slope.im + ax * across.im};
-    const auto derivative = [&](const Column& x, const Column& y, const Column& z) {
-      const Four nx = load(x, k), ny = load(y, k), nz = load(z, k);
+    const auto derivative = [&](Four nx, Four ny, Four nz) {
       return Pair4{nx * byX.re + ny * byY.re - nz * rise.re,
                    nx * byX.im + ny * byY.im - nz * rise.im};
     };
-    const Pair4 atSource = derivative(sourceX, sourceY, sourceZ),
-                atField = derivative(fieldX, fieldY, fieldZ);
+    const Pair4 atSource =
+        derivative(x * 0.0 + source->nx[j], x * 0.0 + source->ny[j], x * 0.0 + source->nz[j]);
+    const Pair4 atField =
+        derivative(loadFour(&field->nx[i]), loadFour(&field->ny[i]), loadFour(&field->nz[i]));
     store(sourceRe, k, atSource.re);
     store(sourceIm, k, atSource.im);
     store(fieldRe, k, atField.re);

@@ -9,16 +9,23 @@ namespace cutwater {
 struct WaveTile {
   static constexpr std::size_t kSide = 16, kPairs = kSide * kSide;
   struct alignas(64) Column : std::array<double, kPairs> {};
+  struct alignas(64) Edge : std::array<double, kSide> {};
 
-  // In. ê horizontal unit vector from the field panel (or its mirror image) to the source panel.
+  /// The panels of one block: centroids, diameters, normals, mean products of the distances from the
+  /// centroid. Horizontally the points of field panels count backwards: their nx, ny, xz, yz have the
+  /// other sign. Places behind the last panel hold it again.
+  struct Panels {
+    Edge x, y, z, size, nx, ny, nz, xx, xy, yy, xz, yz, zz;
+  };
+
+  // In.
+  const Panels *source = nullptr, *field = nullptr;  ///< field panels, or their mirror images
+  // By place(), and what the caller makes of it: ê horizontal unit vector from the field panel to the
+  // source panel.
   Column ex, ey;
   Column X, Y, R1;  ///< K·(distance along ê), −K(z + ζ), distance to the image in z = 0 [m]
-  Column active;    ///< 1, or 0: the results are 0. Then X = 0, Y = 1, R1 = 1/K
+  Column active;    ///< 1, or 0: the results are 0
   Column formRe, formIm;  ///< product of the panels' form factors (FormFactors.h)
-  /// Mean products of distances from the centroids, sum over both panels [m²].
-  Column alongAlong, acrossAcross, alongAcross, alongUp, acrossUp, upUp;
-  Column sourceX, sourceY, sourceZ;  ///< normals of the source panels
-  Column fieldX, fieldY, fieldZ;     ///< of the field panels or their mirror images, x, y reversed
   /// Take −2/R₁ out of K F as far as it has become that: its exact integral is at hand.
   bool takeImages = false;
 
@@ -29,9 +36,11 @@ struct WaveTile {
   Column xRe, xIm;            ///< by the source along x
   Column share;               ///< of −1/R₁ taken out, 0 … 2
 
-  /// No pair is active.
-  void clear(double K);
-  /// @param K ω²/g [1/m].
+  /// Distances and directions, of all pairs active.  @param K ω²/g [1/m].
+  /// @returns of R₁ by the greater of the two diameters, the least.
+  double place(double K);
+  /// Without this pair.
+  void drop(std::size_t fieldPlace, std::size_t sourcePlace, double K);
   void evaluate(double K);
 
   /// From a hull and her mirror image to even and odd: (a, b) → (a + b, a − b) of every result.

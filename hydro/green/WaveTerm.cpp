@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "hydro/Vector.h"
+#include "hydro/VectorMath.h"
 #include "hydro/green/WaveTermTables.h"
 
 namespace cutwater {
@@ -14,17 +14,14 @@ namespace {
 using namespace wave_tables;
 constexpr double kPi = std::numbers::pi;
 
-struct Bessel {
-  double J0, J1, Y0, Y1;
-};
-
-CUTWATER_INLINE Bessel besselFromTable(const BesselCell* cells, double X) {
+/// J₀, J₁, Y₀, Y₁ from the table, X < kBesselCells.
+CUTWATER_INLINE Four besselFromTable(const BesselCell* cells, double X) {
   const auto i = static_cast<std::size_t>(X);
   const double t = 2.0 * (X - static_cast<double>(i)) - 1.0;
   const auto& c = cells[i].coefficient;
   Four sum = c[kBesselPoints - 1];
   for (std::size_t p = kBesselPoints - 1; p-- > 0;) sum = sum * t + c[p];
-  return {sum[0], sum[1], sum[2], sum[3]};
+  return sum;
 }
 
 // Coefficients a_k of Hankel's expansion with their signs, (−1)^⌊k/2⌋ (4n²−1²)(4n²−3²)…/(k! 8^k).
@@ -41,18 +38,27 @@ constexpr std::array<double, kHankelTerms> hankel(int order) {
   return a;
 }
 
+struct Bessels {
+  Four J0, J1, Y0, Y1;
+};
+
 // J_n = √(2/πX) (P cos χ − Q sin χ), Y_n = √(2/πX) (P sin χ + Q cos χ), χ = X − nπ/2 − π/4.
 // From X = 36 on the first term left out is 3e-15 of the leading one.
-CUTWATER_INLINE Bessel besselByHankel(double X) {
+CUTWATER_INLINE Bessels besselsByHankel(Four X) {
   static constexpr auto a0 = hankel(0), a1 = hankel(1);
-  const double t = 1.0 / X, tt = t * t;
-  Four sum = {};  // P₀, Q₀/t, P₁, Q₁/t
-  for (std::size_t k = kHankelTerms; k > 0; k -= 2)
-    sum = sum * tt + Four{a0[k - 2], a0[k - 1], a1[k - 2], a1[k - 1]};
-  const double p0 = sum[0], q0 = t * sum[1], p1 = sum[2], q1 = t * sum[3];
-  const double amplitude = std::sqrt(t / kPi);  // √(2/πX)/√2
-  const double sine = std::sin(X), cosine = std::cos(X);
-  const double c = amplitude * (cosine + sine), s = amplitude * (sine - cosine);
+  const Four t = 1.0 / X, tt = t * t, zero = {};
+  Four p0 = zero, q0 = zero, p1 = zero, q1 = zero;
+  for (std::size_t k = kHankelTerms; k > 0; k -= 2) {
+    p0 = p0 * tt + a0[k - 2];
+    q0 = q0 * tt + a0[k - 1];
+    p1 = p1 * tt + a1[k - 2];
+    q1 = q1 * tt + a1[k - 1];
+  }
+  const Four amplitude = squareRoot(t / kPi);  // √(2/πX)/√2
+  const auto [sine, cosine] = sineCosine(X);
+  const Four c = amplitude * (cosine + sine), s = amplitude * (sine - cosine);
+  q0 *= t;
+  q1 *= t;
   return {p0 * c - q0 * s, p1 * s + q1 * c, p0 * s + q0 * c, q1 * s - p1 * c};
 }
 
@@ -71,38 +77,55 @@ CUTWATER_INLINE Place place(double scaled, std::size_t last) {
 constexpr double kSilent = 32.0;
 
 /// Points that are worked out together, one step for all at a time: within a step they do not wait
-/// for each other.
+/// for each other. Filled up to a multiple of four.
 struct Points {
   static constexpr std::size_t kMost = 64;
-  std::array<double, kMost> R, a, b;  // place in the patch
+  struct alignas(32) Column : std::array<double, kMost> {
+    CUTWATER_INLINE Four four(std::size_t i) const { return loadFour(data() + i); }
+    CUTWATER_INLINE void put(std::size_t i, Four x) { storeFour(data() + i, x); }
+  };
+  std::size_t count;
+  Column X, Y, R, perR, alpha;  // alpha = Y/R
+  Column a, b;                  // place in the patch
   std::array<const Patch*, kMost> patch;
-  std::array<bool, kMost> isNear;
-  std::array<double, kMost> S, T;  // what the patch holds
+  std::array<std::int64_t, kMost> isNear;  // all bits, or none
+  Column S, T;                             // what the patch holds
+  Column J0, J1, Y0, Y1, F, FX;
 
-  CUTWATER_INLINE void find(const Tables& tables, const double* X, const double* Y,
-                            std::size_t count) {
+  CUTWATER_INLINE void take(const double* fromX, const double* fromY, std::size_t points) {
+    std::copy_n(fromX, points, X.begin());
+    std::copy_n(fromY, points, Y.begin());
+    for (count = points; count % 4 != 0; ++count) X[count] = Y[count] = 1.0;
+    for (std::size_t i = 0; i < count; i += 4) {
+      const Four x = X.four(i), y = Y.four(i), r = squareRoot(x * x + y * y), inverse = 1.0 / r;
+      R.put(i, r);
+      perR.put(i, inverse);
+      alpha.put(i, y * inverse);
+    }
+  }
+
+  CUTWATER_INLINE void find(const Tables& tables) {
     for (std::size_t i = 0; i < count; ++i) {
-      const double r = std::sqrt(X[i] * X[i] + Y[i] * Y[i]), alpha = Y[i] / r;
-      R[i] = r;
-      if (r < kNear) {
-        const Place ring = place(r, kRings - 1);
-        const Place column = place(alpha * static_cast<double>(ring.cell + 2), ring.cell + 1);
+      if (R[i] < kNear) {
+        const Place ring = place(R[i], kRings - 1);
+        const Place column = place(alpha[i] * static_cast<double>(ring.cell + 2), ring.cell + 1);
         put(i, true, tables.near[ringBegin(ring.cell) + column.cell], ring, column);
         continue;
       }
-      const Place row = place(1.0 / (r * kRowWidth), kFarRows - 1);
-      if (row.cell >= kSteepRow && alpha >= kSteep) {
+      const Place row = place(perR[i] * (1.0 / kRowWidth), kFarRows - 1);
+      if (row.cell >= kSteepRow && alpha[i] >= kSteep) {
         const Place column =
-            place((alpha - kSteep) * (kSteepColumns / (1.0 - kSteep)), kSteepColumns - 1);
+            place((alpha[i] - kSteep) * (kSteepColumns / (1.0 - kSteep)), kSteepColumns - 1);
         put(i, true, tables.steep[(row.cell - kSteepRow) * kSteepColumns + column.cell], row,
             column);
         continue;
       }
-      const Place column = place(alpha * kFarColumns, kFarColumns - 1);
+      const Place column = place(alpha[i] * kFarColumns, kFarColumns - 1);
       put(i, false, tables.far[row.cell * kFarColumns + column.cell], row, column);
     }
   }
-  CUTWATER_INLINE void interpolate(std::size_t count) {
+
+  CUTWATER_INLINE void interpolate() {
     for (std::size_t i = 0; i < count; ++i) {
       const std::array<double, 2> f = patch[i]->at(a[i], b[i]);
       S[i] = f[0];
@@ -110,48 +133,67 @@ struct Points {
     }
   }
 
+  /// Bessel functions, still without e^{−Y}.
+  CUTWATER_INLINE void bessels(const Tables& tables) {
+    constexpr double kLast = kBesselCells;
+    for (std::size_t i = 0; i < count; i += 4) {
+      const Four x = X.four(i);
+      const auto isFar = x >= kLast;
+      if (any(isFar)) {
+        const Bessels f = besselsByHankel(isFar ? x : x * 0.0 + kLast);
+        J0.put(i, f.J0);
+        J1.put(i, f.J1);
+        Y0.put(i, f.Y0);
+        Y1.put(i, f.Y1);
+      }
+      for (std::size_t k = i; k < i + 4; ++k) {
+        if (X[k] >= kLast) continue;
+        const Four f = besselFromTable(tables.bessel.data(), X[k]);
+        J0[k] = f[0];
+        J1[k] = f[1];
+        Y0[k] = f[2];
+        Y1[k] = f[3];
+      }
+    }
+  }
+
+  // near: F = −2 e^{−Y} J₀ ln((R+Y)/2) + S,
+  //       ∂F/∂X = 2 e^{−Y}[J₁ ln((R+Y)/2) − J₀ X/(R(R+Y))] + (X/R) T
+  // far:  F = −2π e^{−Y} Y₀ − 2S/R,  ∂F/∂X = 2π e^{−Y} Y₁ + 2XT/R³
+  CUTWATER_INLINE void finish() {
+    for (std::size_t i = 0; i < count; i += 4) {
+      const Four x = X.four(i), y = Y.four(i), r = R.four(i), inverse = perR.four(i);
+      const auto silent = (y >= kSilent) & (r > 36.0);
+      const Four E = silent ? y * 0.0 : exponential(silent ? y * 0.0 : -y);
+      const Four j0 = E * J0.four(i), j1 = E * J1.four(i), y0 = E * Y0.four(i), y1 = E * Y1.four(i),
+                 s = S.four(i), t = T.four(i);
+      J0.put(i, j0);
+      J1.put(i, j1);
+      Y0.put(i, y0);
+      Y1.put(i, y1);
+      Four f = -2.0 * s * inverse - 2.0 * kPi * y0;
+      Four fX = 2.0 * x * t * inverse * inverse * inverse + 2.0 * kPi * y1;
+      FourBits near;
+      __builtin_memcpy(&near, &isNear[i], sizeof(near));
+      if (any(near)) {
+        const Four sum = r + y, L = 2.0 * logarithm(0.5 * sum);
+        f = near ? s - j0 * L : f;
+        fX = near ? j1 * L + x * inverse * (t - 2.0 * j0 / sum) : fX;
+      }
+      F.put(i, f);
+      FX.put(i, fX);
+    }
+  }
+
  private:
   CUTWATER_INLINE void put(std::size_t i, bool near, const Patch& in, const Place& row,
                            const Place& column) {
-    isNear[i] = near;
+    isNear[i] = near ? -1 : 0;
     patch[i] = &in;
     a[i] = row.local;
     b[i] = column.local;
   }
 };
-
-/// e^{−Y} times the Bessel functions, 0 where that is less than round-off.
-CUTWATER_INLINE void bessels(const Tables& tables, const double* X, const double* Y,
-                             std::size_t count, const WaveTermArrays& terms) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool silent = Y[i] >= kSilent && X[i] * X[i] + Y[i] * Y[i] > 36.0 * 36.0;
-    const double E = silent ? 0.0 : std::exp(-Y[i]);
-    const Bessel f =
-        X[i] < kBesselCells ? besselFromTable(tables.bessel.data(), X[i]) : besselByHankel(X[i]);
-    terms.J0[i] = E * f.J0;
-    terms.J1[i] = E * f.J1;
-    terms.Y0[i] = E * f.Y0;
-    terms.Y1[i] = E * f.Y1;
-  }
-}
-
-// near: F = −2 e^{−Y} J₀ ln((R+Y)/2) + S,
-//       ∂F/∂X = 2 e^{−Y}[J₁ ln((R+Y)/2) − J₀ X/(R(R+Y))] + (X/R) T
-// far:  F = −2π e^{−Y} Y₀ − 2S/R,  ∂F/∂X = 2π e^{−Y} Y₁ + 2XT/R³
-CUTWATER_INLINE void finish(const Points& p, const double* X, const double* Y, std::size_t count,
-                            const WaveTermArrays& terms) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const double R = p.R[i], perR = 1.0 / R, S = p.S[i], T = p.T[i];
-    if (p.isNear[i]) {
-      const double L = 2.0 * std::log(0.5 * (R + Y[i]));
-      terms.F[i] = S - terms.J0[i] * L;
-      terms.FX[i] = terms.J1[i] * L + X[i] * perR * (T - 2.0 * terms.J0[i] / (R + Y[i]));
-    } else {
-      terms.F[i] = -2.0 * S * perR - 2.0 * kPi * terms.Y0[i];
-      terms.FX[i] = 2.0 * X[i] * T * perR * perR * perR + 2.0 * kPi * terms.Y1[i];
-    }
-  }
-}
 
 }  // namespace
 
@@ -165,15 +207,20 @@ WaveTerm waveTerm(double X, double Y) {
 CUTWATER_VECTOR void waveTerms(const double* X, const double* Y, std::size_t count,
                                const WaveTermArrays& terms) {
   const Tables& all = tables();
-  Points points;
+  Points p;
   for (std::size_t from = 0; from < count; from += Points::kMost) {
     const std::size_t some = std::min(Points::kMost, count - from);
-    const WaveTermArrays part{terms.F + from,  terms.FX + from, terms.J0 + from,
-                              terms.J1 + from, terms.Y0 + from, terms.Y1 + from};
-    points.find(all, X + from, Y + from, some);
-    points.interpolate(some);
-    bessels(all, X + from, Y + from, some, part);
-    finish(points, X + from, Y + from, some, part);
+    p.take(X + from, Y + from, some);
+    p.find(all);
+    p.interpolate();
+    p.bessels(all);
+    p.finish();
+    std::copy_n(p.F.begin(), some, terms.F + from);
+    std::copy_n(p.FX.begin(), some, terms.FX + from);
+    std::copy_n(p.J0.begin(), some, terms.J0 + from);
+    std::copy_n(p.J1.begin(), some, terms.J1 + from);
+    std::copy_n(p.Y0.begin(), some, terms.Y0 + from);
+    std::copy_n(p.Y1.begin(), some, terms.Y1 + from);
   }
 }
 
