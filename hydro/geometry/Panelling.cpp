@@ -8,6 +8,7 @@
 #include "hydro/Errors.h"
 #include "hydro/geometry/HullShells.h"
 #include "hydro/geometry/MeshIntegrals.h"
+#include "hydro/geometry/PanelMesh.h"
 #include "hydro/geometry/SectionPanels.h"
 #include "hydro/geometry/StationField.h"
 
@@ -22,29 +23,6 @@ constexpr double kLeastRatio = 1.2, kMostRatio = 1.6, kEnoughRows = 10.0, kUpper
 constexpr int kTries = 12;  // to meet the count
 constexpr double kMostExcess = 0.02;
 constexpr double kCloseEnough = 0.01;  // of the count
-
-/// A quadrilateral with three corners on calm water would be flattened into the waterplane; of its
-/// halves, split from the fourth corner, each keeps one edge there.
-SurfaceMesh withSplitWaterCorners(const SurfaceMesh& mesh) {
-  SurfaceMesh out{mesh.vertices, {}};
-  for (const Face& f : mesh.faces) {
-    int below = -1, onWater = 0;
-    for (int i = 0; i < f.size(); ++i)
-      if (mesh.corner(f, i).z() == 0.0)
-        ++onWater;
-      else
-        below = i;
-    if (onWater == f.size()) continue;
-    if (f.size() == 4 && onWater == 3) {
-      const auto at = [&](int i) { return f[(below + i) % 4]; };
-      out.faces.push_back({{at(0), at(1), at(2), -1}});
-      out.faces.push_back({{at(0), at(2), at(3), -1}});
-    } else {
-      out.faces.push_back(f);
-    }
-  }
-  return out;
-}
 
 SurfaceMesh withoutSlivers(const SurfaceMesh& mesh) {
   SurfaceMesh out{mesh.vertices, {}};
