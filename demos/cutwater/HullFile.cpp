@@ -7,12 +7,6 @@
 
 namespace cutwater::command {
 
-namespace {
-
-const std::vector<std::string> kAxes{"x", "-x", "y", "-y", "z", "-z"};
-
-}  // namespace
-
 PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& options,
                           std::optional<int> count) {
   if (!count) {
@@ -31,16 +25,16 @@ PanelledHull readHullSection(TomlFile& file, std::optional<int> count) {
   if (!hull.has("mesh")) hull.refuse("mesh", "is missing; it names the hull file");
   const std::string mesh = file.beside(hull.text("mesh", ""));
   MeshReadOptions options;
-  options.up = hull.text("up", options.up, kAxes);
-  options.forward = hull.text("forward", options.forward, kAxes);
+  options.up = hull.text("up", options.up, kAxisWords);
+  options.forward = hull.text("forward", options.forward, kAxisWords);
   if (options.up.back() == options.forward.back())
     hull.refuse("forward", "is the axis that points up");
-  options.unit = hull.text("unit", options.unit, {"m", "mm", "cm", "ft", "in"});
+  options.unit = hull.text("unit", options.unit, kUnitWords);
   options.waterline = hull.number("waterline", 0.0, -1e6, 1e6);
   options.trimDeg = hull.number("trim_deg", 0.0, -45.0, 45.0);
   options.heelDeg = hull.number("heel_deg", 0.0, -180.0, 180.0);
   options.anyFormat = hull.boolean("any_format", false);
-  options.symmetric = hull.text("symmetric", "auto", {"auto", "none", "half"});
+  options.symmetric = hull.text("symmetric", "auto", kSymmetryWords);
   std::optional<int> panels = count;
   if (hull.isNumber("panels")) {
     const int own = hull.integer("panels", 0, kFewestPanels, kMostPanels);
@@ -53,9 +47,7 @@ PanelledHull readHullSection(TomlFile& file, std::optional<int> count) {
 }
 
 SurfaceMesh wholeWet(const PanelledHull& hull) {
-  if (!hull.symmetric) return hull.panels;
-  const SurfaceMesh both = joined(hull.panels, mirroredInY(hull.panels));
-  return welded(both, 1e-9 * bounds(both).diagonal());
+  return hull.symmetric ? bothHalves(hull.panels) : hull.panels;
 }
 
 }  // namespace cutwater::command

@@ -1,11 +1,17 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "demos/cutwater/Toml.h"
 #include "hydro/geometry/MeshIO.h"
 
 namespace cutwater::command {
+
+/// What MeshReadOptions may say, in files and on the command line.
+inline const std::vector<std::string> kAxisWords{"x", "-x", "y", "-y", "z", "-z"};
+inline const std::vector<std::string> kUnitWords{"m", "mm", "cm", "ft", "in"};
+inline const std::vector<std::string> kSymmetryWords{"auto", "none", "half"};
 
 /// A hull and the panels of its wet part.
 struct PanelledHull {

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "demos/cutwater/Commands.h"
@@ -24,9 +23,6 @@ void panel(const std::string& hull, int count, const MeshReadOptions& options,
            const std::string& out) {
   const PanelledHull made = readAny(hull, count, options);
   const SurfaceMesh wet = wholeWet(made);
-  const auto stretched =
-      std::count_if(made.panels.faces.begin(), made.panels.faces.end(),
-                    [&](const Face& f) { return aspectRatio(made.panels, f) > 3.0; });
   const std::size_t panels = made.panels.faces.size();
   const std::string about =
       fmt::format("{} panels{}, volume {:.6g} m3, area {:.6g} m2", panels,
@@ -37,7 +33,7 @@ void panel(const std::string& hull, int count, const MeshReadOptions& options,
                   "made by cutwater panel",
                   about, std::filesystem::path(hull).filename().string()));
   fmt::print(stderr, "{}: {}; {:.1f} % of them more than 3 times as long as wide\n", out, about,
-             100.0 * static_cast<double>(stretched) / static_cast<double>(panels));
+             100.0 * stretchedShare(made.panels));
 }
 
 }  // namespace cutwater::command

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <system_error>
 
 #include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Csv.h"
@@ -103,7 +104,8 @@ void solve(const std::string& path, const std::string& database, int threads) {
   ImpulseResponse memory;
   naming(path, [&] { memory = RetardationMatrix(coefficients).table(kStep, kDuration); });
   writeCoefficients(coefficients, database, memory);
-  std::filesystem::remove(journal);
+  std::error_code none;  // the database is safe, whatever becomes of the journal
+  std::filesystem::remove(journal, none);
 }
 
 }  // namespace cutwater::command

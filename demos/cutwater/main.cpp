@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "demos/cutwater/Commands.h"
+#include "demos/cutwater/HullFile.h"
 #include "demos/cutwater/Precision.h"
 #include "hydro/Errors.h"
 #include "hydro/geometry/Panelling.h"
@@ -73,7 +74,7 @@ void addPanel(CLI::App& app, Arguments& a) {
   CLI::App* sub =
       command(app, "panel", "Any hull mesh, repaired and divided into about N wet panels a side",
               "panel hull.obj -n 433 --up y --forward z -o panels.obj");
-  const auto axes = CLI::IsMember({"x", "-x", "y", "-y", "z", "-z"});
+  const auto axes = CLI::IsMember(command::kAxisWords);
   sub->add_option("hull", a.input, "mesh, or SHIP.toml for its [hull] section")->required();
   sub->add_option("-n,--panels", a.panels, "panels a side")
       ->required()
@@ -82,10 +83,10 @@ void addPanel(CLI::App& app, Arguments& a) {
   sub->add_option("--up", a.mesh.up, "the mesh's axis that points up; default z")->check(axes);
   sub->add_option("--forward", a.mesh.forward, "its axis to the bow; default x")->check(axes);
   sub->add_option("--unit", a.mesh.unit, "its unit: m (default), mm, cm, ft or in")
-      ->check(CLI::IsMember({"m", "mm", "cm", "ft", "in"}));
+      ->check(CLI::IsMember(command::kUnitWords));
   sub->add_option("--waterline", a.mesh.waterline, "height of calm water in it; default 0");
   sub->add_option("--symmetric", a.mesh.symmetric, "auto (default), none or half")
-      ->check(CLI::IsMember({"auto", "none", "half"}));
+      ->check(CLI::IsMember(command::kSymmetryWords));
   sub->callback([&a] {
     checkFiles(a);
     command::panel(a.input, a.panels, a.mesh, a.out);

@@ -25,7 +25,7 @@ ShipParticulars solvable(const ShipParticulars& ship) {
   const double diagonal = bounds(ship.wetSurface).diagonal();
   if (!ship.symmetric || std::abs(ship.cog.y()) <= 1e-9 * diagonal) return whole;
   whole.symmetric = false;
-  whole.wetSurface = welded(joined(ship.wetSurface, mirroredInY(ship.wetSurface)), 1e-9 * diagonal);
+  whole.wetSurface = bothHalves(ship.wetSurface);
   return whole;
 }
 

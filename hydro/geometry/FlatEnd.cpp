@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hydro/geometry/FlatPolygon.h"
 #include "hydro/geometry/PanelRows.h"
+#include "hydro/geometry/Panelling.h"
 
 namespace cutwater {
 namespace {
@@ -119,6 +121,44 @@ class EndRows {
   SurfaceMesh& mesh_;
 };
 
+/// The outline closed along calm water, or by the centreline and calm water, counter-clockwise about the
+/// end's normal.
+std::vector<int> closedOutline(std::vector<int> outline, bool aft, double size, SurfaceMesh& mesh) {
+  const auto add = [&](const Vec3& p) {
+    mesh.vertices.push_back(p);
+    outline.push_back(static_cast<int>(mesh.vertices.size()) - 1);
+  };
+  const auto at = [&](int v) { return mesh.vertices[static_cast<std::size_t>(v)]; };
+  const auto lineTo = [&](const Vec3& to) {
+    const Vec3 from = at(outline.back());
+    const int parts = std::max(1, static_cast<int>(std::lround((to - from).norm() / size)));
+    for (int p = 1; p < parts; ++p) add(from + (to - from) * p / parts);
+  };
+  const Vec3 first = at(outline.front());
+  if (at(outline.back()).y() == 0.0 && at(outline.back()).z() < 0.0 && first.y() != 0.0) {
+    const Vec3 middle(first.x(), 0.0, first.z());
+    lineTo(middle);
+    add(middle);
+  }
+  if (at(outline.back()) == first)
+    outline.pop_back();
+  else
+    lineTo(first);
+  if (!aft) std::reverse(outline.begin(), outline.end());
+  return outline;
+}
+
+/// Stretched faces from `first` on, or all of them if one is turned over or has no area.
+std::size_t stretchedFaces(const SurfaceMesh& mesh, std::size_t first, double size, double side) {
+  std::size_t stretched = 0;
+  for (std::size_t f = first; f < mesh.faces.size(); ++f) {
+    if (side * vectorArea(mesh, mesh.faces[f]).x() < kNothing * size * size)
+      return mesh.faces.size();
+    stretched += aspectRatio(mesh, mesh.faces[f]) > kStretched ? 1 : 0;
+  }
+  return stretched;
+}
+
 }  // namespace
 
 void addFlatEnd(const std::vector<int>& outline, bool aft, double size, SurfaceMesh& mesh) {
@@ -130,7 +170,15 @@ void addFlatEnd(const std::vector<int>& outline, bool aft, double size, SurfaceM
   for (std::size_t i = 0; i + 1 < outline.size(); ++i)
     enclosed += 0.5 * (at(outline[i]) - corner).cross(at(outline[i + 1]) - corner);
   if (std::abs(enclosed.x()) < kNothing * size * size) return;
-  EndRows(outline, aft, size, mesh).addRows();
+  const double side = aft ? -1.0 : 1.0;
+  SurfaceMesh rows = mesh;
+  EndRows(outline, aft, size, rows).addRows();
+  if (const auto worse = stretchedFaces(rows, mesh.faces.size(), size, side); worse > 0) {
+    SurfaceMesh free = mesh;
+    addFlatPolygon(closedOutline(outline, aft, size, free), size, free);
+    if (stretchedFaces(free, mesh.faces.size(), size, side) < worse) rows = std::move(free);
+  }
+  mesh = std::move(rows);
 }
 
 }  // namespace cutwater

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
+#include "hydro/geometry/PanelMesh.h"
 #include "hydro/geometry/ShapeGrid.h"
 #include "hydro/geometry/Shapes.h"
 
@@ -62,34 +63,12 @@ Vec3 dryPoint(double u, double t) {
   return {0.5 * kLength - s + rake, q.b + (q.deckB - q.b) * flare, z};
 }
 
-/// The panel in the corner between waterline and transom has two edges on calm water; a plane
-/// through both would be the waterplane. Split from its lowest corner, each half keeps one of the
-/// edges.
-SurfaceMesh withSplitTransomCorner(const SurfaceMesh& mesh) {
-  SurfaceMesh out{mesh.vertices, {}};
-  for (const Face& f : mesh.faces) {
-    int below = -1, onWater = 0;
-    for (int i = 0; i < f.size(); ++i)
-      if (mesh.corner(f, i).z() == 0.0)
-        ++onWater;
-      else
-        below = i;
-    if (f.size() == 4 && onWater == 3) {
-      const auto at = [&](int i) { return f[(below + i) % 4]; };
-      out.faces.push_back({{at(0), at(1), at(2), -1}});
-      out.faces.push_back({{at(0), at(2), at(3), -1}});
-    } else {
-      out.faces.push_back(f);
-    }
-  }
-  return out;
-}
-
 }  // namespace
 
 SurfaceMesh wetFrigate(int along, int girth) {
-  return withSplitTransomCorner(gridOfCurves(spacedAtEnds(along, kStationCrowding),
-                                             spacedAtStart(girth, kWaterlineCrowding), wetPoint));
+  // The corner between waterline and transom.
+  return withSplitWaterCorners(gridOfCurves(spacedAtEnds(along, kStationCrowding),
+                                            spacedAtStart(girth, kWaterlineCrowding), wetPoint));
 }
 
 SurfaceMesh closedFrigate(int along, int girth) {

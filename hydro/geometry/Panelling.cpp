@@ -8,6 +8,7 @@
 #include "hydro/Errors.h"
 #include "hydro/geometry/HullShells.h"
 #include "hydro/geometry/MeshIntegrals.h"
+#include "hydro/geometry/PanelMesh.h"
 #include "hydro/geometry/SectionPanels.h"
 #include "hydro/geometry/StationField.h"
 
@@ -17,34 +18,15 @@ namespace {
 // Mean panel edges along and across the sections: longer where there would be fewer than kEnoughRows
 // from calm water to the keel, as it is across that hulls are curved. The uppermost row is so much
 // narrower that its panels are 2.4 times as long as deep amidships.
-
-constexpr double kLeastRatio = 1.2, kMostRatio = 1.6, kEnoughRows = 10.0, kUppermostRatio = 2.4;
+constexpr double kLeastRatio = 1.2, kUsualRatio = 1.6, kEnoughRows = 10.0, kUppermostRatio = 2.4;
+// Longer still, step by step, where too much volume is lacking: as a fraction, times the panels a side.
+// They may be kLongest times as long as deep; crowding towards calm water and the ends makes room.
+constexpr double kMostRatio = 2.4, kLonger = 1.06, kMostLacking = 0.0045 * 1040, kLongest = 2.7;
+constexpr double kLeastWaterCrowding = 0.05, kLeastEndCrowding = 0.1, kMostEndCrowding = 0.2;
+constexpr double kMostStretched = 0.045;
 constexpr int kTries = 12;  // to meet the count
 constexpr double kMostExcess = 0.02;
 constexpr double kCloseEnough = 0.01;  // of the count
-
-/// A quadrilateral with three corners on calm water would be flattened into the waterplane; of its
-/// halves, split from the fourth corner, each keeps one edge there.
-SurfaceMesh withSplitWaterCorners(const SurfaceMesh& mesh) {
-  SurfaceMesh out{mesh.vertices, {}};
-  for (const Face& f : mesh.faces) {
-    int below = -1, onWater = 0;
-    for (int i = 0; i < f.size(); ++i)
-      if (mesh.corner(f, i).z() == 0.0)
-        ++onWater;
-      else
-        below = i;
-    if (onWater == f.size()) continue;
-    if (f.size() == 4 && onWater == 3) {
-      const auto at = [&](int i) { return f[(below + i) % 4]; };
-      out.faces.push_back({{at(0), at(1), at(2), -1}});
-      out.faces.push_back({{at(0), at(2), at(3), -1}});
-    } else {
-      out.faces.push_back(f);
-    }
-  }
-  return out;
-}
 
 SurfaceMesh withoutSlivers(const SurfaceMesh& mesh) {
   SurfaceMesh out{mesh.vertices, {}};
@@ -61,9 +43,13 @@ SurfaceMesh withoutSlivers(const SurfaceMesh& mesh) {
 class HullPanels {
  public:
   HullPanels(const Hull& hull, const std::string& name)
-      : wet_(wetSurface(hull)), name_(name), symmetric_(hull.symmetric), area_(surfaceArea(wet_)) {}
+      : wet_(wetSurface(hull)),
+        name_(name),
+        symmetric_(hull.symmetric),
+        area_(surfaceArea(wet_)),
+        volume_(volumeIntegrals(wet_).volume) {}
 
-  /// The division whose number of panels is nearest to the one wanted, of a few tries.
+  /// Panels longer and longer as long as the volume needs more rows, or there are gaps.
   SurfaceMesh about(int count) {
     const double wanted = symmetric_ ? count : 2.0 * count;
     double girthwise = std::sqrt(area_ / (wanted * kLeastRatio));
@@ -71,6 +57,29 @@ class HullPanels {
     strands_ = sectionStrands(*cutter_, 0.25 * girthwise);
     ratio_ = lengthPerGirth(girthwise);
     girthwise *= std::sqrt(kLeastRatio / ratio_);
+    SurfaceMesh best = nearest(wanted, girthwise);
+    while (ratio_ < kMostRatio && (lacking(best) > kMostLacking || gapIn(best))) {
+      ratio_ *= kLonger;
+      girthwise /= std::sqrt(kLonger);
+      SurfaceMesh longer = nearest(wanted, girthwise);
+      if (gapIn(longer)) continue;
+      if (!gapIn(best) && lacking(longer) > lacking(best)) break;
+      if (gapIn(best) || stretchedShare(longer) < kMostStretched) best = std::move(longer);
+    }
+    checkClosed(best);
+    checkFollowed(best);
+    return best;
+  }
+
+ private:
+  /// Volume, as if that went with the number of panels exactly.
+  double lacking(const SurfaceMesh& panels) const {
+    const double aSide = static_cast<double>(panels.faces.size()) / (symmetric_ ? 1 : 2);
+    return aSide * (1 - volumeIntegrals(panels).volume / volume_);
+  }
+
+  /// The division whose number of panels is nearest to the one wanted, of a few tries.
+  SurfaceMesh nearest(double wanted, double girthwise) const {
     SurfaceMesh best;
     double least = 1e300, few = 0.0, many = 0.0;  // sizes that gave too few panels, and too many
     for (int i = 0; i < kTries && least > kCloseEnough; ++i) {
@@ -84,22 +93,26 @@ class HullPanels {
       girthwise = few > 0 && many > 0 ? std::sqrt(few * many)
                                       : girthwise * std::pow(std::max(ratio, 0.1), 0.5);
     }
-    checkClosed(best);
-    checkFollowed(best);
     return best;
   }
 
- private:
   SurfaceMesh with(double girthwise) const {
     SurfaceMesh all;
     for (const SectionStrand& strand : strands_)
-      all = joined(all,
-                   panelsOn(strand, *cutter_,
-                            {girthwise, ratio_ * girthwise, 1 - 1.2 * ratio_ / kUppermostRatio}));
-    // An end that runs along calm water may be off by the roughness of the mesh, and the tip of a
-    // waterline lies a little above where the stem's section begins.
-    all = welded(snapped(std::move(all), 2, 0.02 * girthwise), 1e-3 * girthwise);
+      all = joined(all, panelsOn(strand, *cutter_, sizeOf(girthwise)));
+    // An end that runs along calm water or along the centreline may be off by the roughness of the mesh,
+    // and the tip of a waterline lies a little above where the stem's section begins.
+    all = snapped(std::move(all), 2, 0.02 * girthwise);
+    if (symmetric_) all = snapped(std::move(all), 1, 0.02 * girthwise);
+    all = welded(all, 1e-3 * girthwise);
     return welded(withoutSlivers(withSplitWaterCorners(all)), 0.0);
+  }
+
+  PanelSize sizeOf(double girthwise) const {
+    const double water = std::max(kLeastWaterCrowding, 1 - 1.2 * ratio_ / kUppermostRatio);
+    const double ends = kLongest * (1 - water) / ratio_ - 1;
+    return {girthwise, ratio_ * girthwise, water,
+            std::clamp(ends, kLeastEndCrowding, kMostEndCrowding)};
   }
 
   double lengthPerGirth(double girthwise) const {
@@ -108,22 +121,28 @@ class HullPanels {
       for (const SectionCurve& c : strand.curves)
         girth = std::max(girth, c.points.back().z() == 0.0 ? 0.5 * c.length() : c.length());
     const double missing = kEnoughRows * girthwise / girth;
-    return std::clamp(kLeastRatio * missing * missing, kLeastRatio, kMostRatio);
+    return std::clamp(kLeastRatio * missing * missing, kLeastRatio, kUsualRatio);
   }
 
-  void checkClosed(const SurfaceMesh& panels) const {
-    if (panels.faces.empty())
-      throw HydroError(Fault::HullNotClosed, name_ + ": no section to put panels on");
+  /// Where an edge of one panel only lies neither on calm water nor on the centreline.
+  std::optional<Vec3> gapIn(const SurfaceMesh& panels) const {
     for (const OpenEdge& e : looseEdges(panels)) {
       const Vec3 &p = panels.vertices[static_cast<std::size_t>(e.from)],
                  &q = panels.vertices[static_cast<std::size_t>(e.to)];
       const bool onWater = p.z() == 0.0 && q.z() == 0.0;
       const bool onCentreline = symmetric_ && p.y() == 0.0 && q.y() == 0.0;
-      if (onWater || onCentreline) continue;
-      throw HydroError(Fault::HullNotClosed,
-                       name_ + ": the sections of the hull split or jump at " + placeText(p) +
-                           ", where no panels can be laid; use panels = \"as-is\"");
+      if (!onWater && !onCentreline) return p;
     }
+    return {};
+  }
+
+  void checkClosed(const SurfaceMesh& panels) const {
+    if (panels.faces.empty())
+      throw HydroError(Fault::HullNotClosed, name_ + ": no section to put panels on");
+    if (const std::optional<Vec3> gap = gapIn(panels))
+      throw HydroError(Fault::HullNotClosed,
+                       name_ + ": the sections of the hull split or jump at " + placeText(*gap) +
+                           ", where no panels can be laid; use panels = \"as-is\"");
   }
 
   /// Inscribed panels have less area than the hull; where rows cross, they have more.
@@ -141,7 +160,7 @@ class HullPanels {
   std::string name_;
   bool symmetric_;
   std::optional<SectionCutter> cutter_;
-  double area_, ratio_ = kLeastRatio;
+  double area_, volume_, ratio_ = kLeastRatio;
   std::vector<SectionStrand> strands_;
 };
 
@@ -172,6 +191,13 @@ double aspectRatio(const SurfaceMesh& mesh, const Face& face) {
   second = second / area - centre * centre.transpose();
   const Vec3 moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(second).eigenvalues();
   return std::sqrt(moments[2] / std::max(moments[1], 1e-300));
+}
+
+double stretchedShare(const SurfaceMesh& panels) {
+  const auto stretched =
+      std::count_if(panels.faces.begin(), panels.faces.end(),
+                    [&](const Face& f) { return aspectRatio(panels, f) > kStretched; });
+  return static_cast<double>(stretched) / static_cast<double>(panels.faces.size());
 }
 
 }  // namespace cutwater

@@ -28,4 +28,8 @@ inline constexpr int kFewestPanels = 20, kMostPanels = 20'000;
 /// rectangle the ratio of its sides, of an equilateral triangle 1.
 double aspectRatio(const SurfaceMesh& mesh, const Face& face);
 
+/// A panel beyond this aspect ratio is stretched; share of these among the panels.
+inline constexpr double kStretched = 3.0;
+double stretchedShare(const SurfaceMesh& panels);
+
 }  // namespace cutwater

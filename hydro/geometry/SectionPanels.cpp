@@ -10,7 +10,6 @@
 namespace cutwater {
 namespace {
 
-constexpr double kEndCrowding = 0.2;      // stations closer together at the ends
 constexpr double kStem = 0.1;             // of a panel edge: a narrower stem is a line
 constexpr double kKept = 20 * kPi / 180;  // and stays one on the next section down to this
 
@@ -85,7 +84,7 @@ class StrandPanels {
   }
   std::vector<double> stationPlaces() const {
     const double count = std::max(1.0, moved_.back() / size_.lengthwise);
-    const Crowding crowding{count > 6, count > 6, kEndCrowding};
+    const Crowding crowding{count > 6, count > 6, size_.endCrowding};
     std::vector<double> places;
     for (const double s : divided(moved_.back(), knuckles(), count, crowding).place) {
       const auto next = std::lower_bound(moved_.begin(), moved_.end(), s);

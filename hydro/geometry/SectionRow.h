@@ -4,9 +4,9 @@
 namespace cutwater {
 
 /// Mean lengths of panel edges [m] across and along the sections, and how much shorter than the mean
-/// those across are at calm water (Crowding::c).
+/// those across are at calm water, those along at the ends (Crowding::c).
 struct PanelSize {
-  double girthwise = 1.0, lengthwise = 1.0, waterCrowding = 0.0;
+  double girthwise = 1.0, lengthwise = 1.0, waterCrowding = 0.0, endCrowding = 0.0;
 };
 
 /// A section divided without regard to its neighbours; not installed.

@@ -232,8 +232,7 @@ PanelMesh solverPanels(const SurfaceMesh& wet, bool symmetric, bool curved) {
   PanelMesh mesh = makePanels(wet, symmetric);
   if (!curved) return mesh;
   // The port faces come first in the whole surface, in their order.
-  const SurfaceMesh whole =
-      symmetric ? welded(joined(wet, mirroredInY(wet)), 1e-9 * bounds(wet).diagonal()) : wet;
+  const SurfaceMesh whole = symmetric ? bothHalves(wet) : wet;
   const Neighbourhood neighbours(whole);
   std::vector<Panel> panels;
   for (std::size_t f = 0; f < mesh.panels.size(); ++f) {

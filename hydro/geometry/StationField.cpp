@@ -11,6 +11,11 @@ constexpr double kAcross = 0.3;                          // |n_y| of an end at m
 constexpr double kAlike = 0.9986;                        // cos 3°
 constexpr double kRough = 2e-4;                          // of the size
 constexpr double kLeastBlend = 0.15, kMostBlend = 0.45;  // of the length
+constexpr double kUpright = 8e-3;                        // dx/dz of a stem
+constexpr double kMostRake = 0.8, kMostBulge = 4.0;      // the same
+constexpr double kUpperPart = 0.3;                       // of the draught
+constexpr double kFanDepths = 2.0;                       // draughts from the end
+constexpr double kExact = 1e-6;                          // of the size
 constexpr int kPicks = 40;                               // faces whose planes are tried
 
 /// The plane normal·p = offset in which a hull ends, and the vertices of the faces in it.
@@ -97,6 +102,51 @@ void lean(std::vector<double>& station, const SurfaceMesh& wet, const EndPlane& 
   for (const int v : end.vertices) station[static_cast<std::size_t>(v)] = atWater;
 }
 
+/// How a hull ends below one end of its waterline: raked, or bulging out as a sphere does that is sunk
+/// deeper than its centre.
+struct Stem {
+  double tip = 0.0;     ///< x of the waterline's end [m]
+  double length = 0.0;  ///< of the waterline [m]
+  double slope = 0.0;  ///< dx/dz of the plane through the tip with the hull on one side; 0: upright
+};
+
+/// The slope that the upper part of the hull has, unless the lower reaches out farther (a bulb) or the keel
+/// rises to calm water.
+Stem stemAt(const SurfaceMesh& wet, double side) {
+  const Bounds box = bounds(wet);
+  double tip = -1e300, otherTip = 1e300, upper = -1e300, all = -1e300;  // outwards; per depth
+  for (const Vec3& p : wet.vertices) {
+    if (p.z() != 0.0) continue;
+    tip = std::max(tip, side * p.x());
+    otherTip = std::min(otherTip, side * p.x());
+  }
+  for (const Vec3& p : wet.vertices) {
+    if (p.z() > -kRough * box.diagonal()) continue;
+    const double out = (side * p.x() - tip) / -p.z();
+    all = std::max(all, out);
+    if (p.z() > kUpperPart * box.low.z()) upper = std::max(upper, out);
+  }
+  const bool upright = std::abs(upper) < kUpright || upper < -kMostRake || upper > kMostBulge ||
+                       all > upper + kUpright;
+  return {side * tip, tip - otherTip, upright ? 0.0 : -side * upper};
+}
+
+/// Stations near one end are planes through one line above or below the hull, the last of them the
+/// stem's:   x = c + slope z w(c),   w from 0 at `start` to 1 at the tip.
+void fan(std::vector<double>& station, const SurfaceMesh& wet, const Stem& stem, double side) {
+  const Bounds box = bounds(wet);
+  const double reach = std::min(0.5 * stem.length, -kFanDepths * box.low.z());
+  const double start = stem.tip - side * reach, exact = kExact * box.diagonal();
+  for (std::size_t i = 0; i < station.size(); ++i) {
+    const double perReach = side * stem.slope * wet.vertices[i].z() / reach;
+    const double c = (wet.vertices[i].x() + perReach * start) / (1 + perReach);
+    if (side * (c - stem.tip) > -exact)
+      station[i] = stem.tip;
+    else if (side * (c - start) > 0.0)
+      station[i] = c;
+  }
+}
+
 }  // namespace
 
 std::vector<double> stationField(const SurfaceMesh& wet, double leastArea) {
@@ -105,6 +155,8 @@ std::vector<double> stationField(const SurfaceMesh& wet, double leastArea) {
   for (const double side : {-1.0, 1.0})
     if (const EndPlane end = EndFinder(wet, side).find(); end.area > leastArea)
       lean(station, wet, end);
+    else if (const Stem stem = stemAt(wet, side); stem.slope != 0.0)
+      fan(station, wet, stem, side);
   return station;
 }
 

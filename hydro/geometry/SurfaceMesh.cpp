@@ -119,6 +119,10 @@ SurfaceMesh joined(const SurfaceMesh& a, const SurfaceMesh& b) {
   return out;
 }
 
+SurfaceMesh bothHalves(const SurfaceMesh& port) {
+  return welded(joined(port, mirroredInY(port)), 1e-9 * bounds(port).diagonal());
+}
+
 SurfaceMesh welded(const SurfaceMesh& mesh, double tolerance) {
   if (!(tolerance >= 0) || !std::isfinite(tolerance))
     throw HydroError(Fault::BadArgument, "welded: tolerance " + std::to_string(tolerance));

@@ -42,6 +42,10 @@ SurfaceMesh triangulated(const SurfaceMesh& mesh);
 /// Both meshes in one, a's faces first, vertices not merged.
 SurfaceMesh joined(const SurfaceMesh& a, const SurfaceMesh& b);
 
+/// A port half and its mirror image as one surface, port faces first; vertices nearer than 1e-9 of the
+/// size, as on the centreplane, are shared.
+SurfaceMesh bothHalves(const SurfaceMesh& port);
+
 /// Vertices closer than `tolerance` [m] made one (the first of them stays where it is); faces that
 /// collapse are dropped, quads that lose a corner become triangles, unused vertices go. The order
 /// of faces and of the vertices that stay is kept. 0 merges only equal vertices. O(vertices).

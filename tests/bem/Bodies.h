@@ -15,11 +15,6 @@ inline PanelMesh panels(const SurfaceMesh& wet, bool symmetric, bool lid, bool c
   return mesh;
 }
 
-/// Port half and starboard half as one hull without symmetry.
-inline SurfaceMesh wholeHull(const SurfaceMesh& port) {
-  return welded(joined(port, mirroredInY(port)), 1e-9 * bounds(port).diagonal());
-}
-
 inline SymmetricSystem<Complex> systemAt(const InfluenceMatrices& matrices, double K) {
   return {matrices.atWaveNumber(K), matrices.parities()};
 }

@@ -71,7 +71,7 @@ TEST(CurvedPanelsConvergence, WeightsIntegrateAtFourthOrder) {
 // Mirror images for neighbours across the centreline are the whole hull's own. Round-off of the fits.
 TEST(CurvedPanelsIdentity, HalfHullHasTheWeightsOfTheWhole) {
   const CurvedSphere half(8, 5);
-  const SurfaceMesh both = wholeHull(half.wet);
+  const SurfaceMesh both = bothHalves(half.wet);
   const PanelMesh mesh = panels(both, false, false, true);
   const ModeNormals whole(mesh, CurvedSphere::kG, both);
   const Eigen::Index count = half.normals.velocity.rows();

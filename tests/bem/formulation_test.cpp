@@ -113,7 +113,7 @@ TEST(FormulationIdentity, AdjointVectorsOfTheXDerivativeGiveTheDirectForce) {
   const double omega = 1.9;  // the lid is at work
   for (const bool sources : {false, true})
     for (const bool symmetric : {true, false}) {
-      const SurfaceMesh wet = symmetric ? port : wholeHull(port);
+      const SurfaceMesh wet = symmetric ? port : bothHalves(port);
       const InfluenceMatrices matrices(panels(wet, symmetric, true),
                                        sources ? bySources(4) : InfluenceSettings{});
       const PanelMesh& mesh = matrices.mesh();

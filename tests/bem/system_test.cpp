@@ -35,7 +35,7 @@ Answer answer(const SurfaceMesh& wet, bool symmetric, const Vec3& cog) {
 TEST(SystemIdentity, HalfHullAndWholeHullGiveTheSame) {
   const SurfaceMesh port = wetHalfEllipsoid({10.0, 3.0, 2.0}, 10, 5);
   const Vec3 cog(0.5, 0.0, -0.4);
-  const Answer half = answer(port, true, cog), whole = answer(wholeHull(port), false, cog);
+  const Answer half = answer(port, true, cog), whole = answer(bothHalves(port), false, cog);
   const double scale = half.Z.norm();
   EXPECT_LT((half.Z - whole.Z).norm(), kResidual * scale);
   EXPECT_LT((half.diffraction - whole.diffraction).norm(), kResidual * half.diffraction.norm());
@@ -44,7 +44,7 @@ TEST(SystemIdentity, HalfHullAndWholeHullGiveTheSame) {
 
 TEST(SystemIdentity, HalfHullAndWholeHullGiveTheSameWithTheSameLid) {
   const SurfaceMesh port = wetHalfEllipsoid({10.0, 3.0, 2.0}, 10, 5);
-  PanelMesh half = panels(port, true, true), whole = panels(wholeHull(port), false, false);
+  PanelMesh half = panels(port, true, true), whole = panels(bothHalves(port), false, false);
   whole.lid = half.lid;
   for (Panel panel : half.lid) {
     std::reverse(panel.corner.begin(), panel.corner.begin() + panel.corners);
@@ -64,7 +64,7 @@ TEST(SystemIdentity, AdjointVectorsGiveTheDirectDiffractionForce) {
   const Vec3 cog(-2.0, 0.0, 1.3);
   for (const bool lid : {false, true})
     for (const bool symmetric : {true, false}) {
-      const SurfaceMesh wet = symmetric ? port : wholeHull(port);
+      const SurfaceMesh wet = symmetric ? port : bothHalves(port);
       const InfluenceMatrices matrices(panels(wet, symmetric, lid));
       const PanelMesh& mesh = matrices.mesh();
       const ModeNormals normals(mesh, cog);

@@ -24,7 +24,7 @@ constexpr Row kTable[] = {{224, 4458.2, 1961.3, 64.660, -1.889},
 constexpr Row kExact{0, 4509.0, 1972.7, 64.688, -1.8945};
 
 Hydrostatics hydrostaticsOf(const SurfaceMesh& wetPort) {
-  const SurfaceMesh wet = welded(joined(wetPort, mirroredInY(wetPort)), 1e-9);
+  const SurfaceMesh wet = bothHalves(wetPort);
   return hydrostatics(wet, Vec3(0, 0, 1.29), 1025.0, kStandardGravity);
 }
 

@@ -17,10 +17,6 @@ double area(const std::vector<Panel>& lid) {
   return sum;
 }
 
-SurfaceMesh bothSides(const SurfaceMesh& half) {
-  return welded(joined(half, mirroredInY(half)), 1e-9);
-}
-
 void expectUpright(const std::vector<Panel>& lid) {
   for (const Panel& p : lid) {
     EXPECT_EQ(p.normal, Vec3(0, 0, 1));
@@ -32,7 +28,7 @@ void expectUpright(const std::vector<Panel>& lid) {
 TEST(LidIdentity, AreaIsTheWaterplaneOfThePanelledHull) {
   for (const SurfaceMesh& half : {wetBox({10, 4, 2, 1}, 10, 2, 2), wetFrigate(32, 7),
                                   wetFrigate(48, 9), wetWigley(wigley(3), 40, 10)}) {
-    const SurfaceMesh whole = bothSides(half);
+    const SurfaceMesh whole = bothHalves(half);
     const std::vector<Panel> port = makeLid(half, true), both = makeLid(whole, false);
     expectUpright(port);
     expectUpright(both);
@@ -56,7 +52,7 @@ TEST(LidConvergence, BluntEndsAreCoveredToo) {
 }
 
 TEST(LidIdentity, ACatamaranHasItsLidInTheHullsOnly) {
-  const SurfaceMesh one = bothSides(wetWigley(wigley(3), 40, 10));
+  const SurfaceMesh one = bothHalves(wetWigley(wigley(3), 40, 10));
   SurfaceMesh hull = one;
   for (Vec3& p : hull.vertices) p.y() += 0.5;
   const std::vector<Panel> half = makeLid(hull, true);
@@ -67,8 +63,8 @@ TEST(LidIdentity, ACatamaranHasItsLidInTheHullsOnly) {
 }
 
 TEST(LidIdentity, AMoonpoolStaysOpen) {
-  const SurfaceMesh outer = bothSides(wetBox({10, 6, 2, 1}, 5, 3, 2));
-  const SurfaceMesh pool = turnedOver(bothSides(wetBox({4, 2, 2, 1}, 2, 1, 2)));
+  const SurfaceMesh outer = bothHalves(wetBox({10, 6, 2, 1}, 5, 3, 2));
+  const SurfaceMesh pool = turnedOver(bothHalves(wetBox({4, 2, 2, 1}, 2, 1, 2)));
   const std::vector<Panel> lid = makeLid(joined(outer, pool), false);
   EXPECT_NEAR(area(lid), 60.0 - 8.0, 1e-12);
   for (const Panel& p : lid)
@@ -88,7 +84,7 @@ TEST(Lid, NoWaterlineNoLid) {
 }
 
 TEST(Lid, ALooseWaterlineIsRefused) {
-  SurfaceMesh wet = bothSides(wetBox({10, 4, 2, 1}, 5, 2, 2));
+  SurfaceMesh wet = bothHalves(wetBox({10, 4, 2, 1}, 5, 2, 2));
   std::erase_if(wet.faces, [&](const Face& f) {  // one panel of the starboard side
     double low = 0.0, high = -9.0;
     for (int i = 0; i < f.size(); ++i) {

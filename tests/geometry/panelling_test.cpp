@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "hydro/Errors.h"
+#include "hydro/geometry/FlatPolygon.h"
 #include "hydro/geometry/HullShells.h"
 #include "hydro/geometry/Lid.h"
 #include "hydro/geometry/MeshIntegrals.h"
@@ -18,10 +19,31 @@
 namespace cutwater {
 namespace {
 
-double stretchedShare(const SurfaceMesh& panels) {
-  const auto stretched = std::count_if(panels.faces.begin(), panels.faces.end(),
-                                       [&](const Face& f) { return aspectRatio(panels, f) > 3.0; });
-  return static_cast<double>(stretched) / static_cast<double>(panels.faces.size());
+/// Heel on the waterline, starboard down, and trim, bow down.
+SurfaceMesh turned(SurfaceMesh mesh, double heelDeg, double trimDeg) {
+  const Mat3 turn = (Eigen::AngleAxisd(trimDeg * kPi / 180, Vec3::UnitY()) *
+                     Eigen::AngleAxisd(heelDeg * kPi / 180, Vec3::UnitX()))
+                        .toRotationMatrix();
+  for (Vec3& p : mesh.vertices) p = turn * p;
+  return mesh;
+}
+
+/// The acceptance lines; inscribed panels lack volume and area by the square of their size.
+void expectGoodPanels(const Hull& hull, int count, const std::string& name) {
+  SCOPED_TRACE(fmt::format("{} {}", name, count));
+  const SurfaceMesh wet = wetSurface(hull), panels = panelled(hull, count, name);
+  const double bound = 5e-3 * 1040 / count;
+  const double v = volumeIntegrals(panels).volume / volumeIntegrals(wet).volume - 1,
+               s = surfaceArea(panels) / surfaceArea(wet) - 1, stretched = stretchedShare(panels);
+  const double aSide = static_cast<double>(panels.faces.size()) / (hull.symmetric ? 1 : 2);
+  EXPECT_LT(std::abs(v), bound);
+  EXPECT_LT(std::abs(s), bound);
+  EXPECT_LE(stretched, 0.05);
+  EXPECT_NEAR(aSide / count, 1.0, 0.06);
+  const std::string about = fmt::format("{}, {:.0f} panels a side", name, aSide);
+  test::recordResult("Panelling", about + ": V relative error", "fine mesh", v,
+                     fmt::format("± {:.3f}", bound));
+  test::recordResult("Panelling", about + ": share above aspect 3", "-", stretched, "≤ 0.05");
 }
 
 const std::vector<test::TestHull>& hulls() {
@@ -53,6 +75,53 @@ TEST(PanellingVerification, PanelsHaveTheVolumeAndAreaOfTheHull) {
       test::recordResult("Panelling", about + ": share above aspect 3", "-", stretched, "≤ 0.05");
     }
   }
+}
+
+// Stations lean as the sphere does where its waterline ends: no section is closed below water.
+TEST(PanellingVerification, ASphereMayBeSunkDeeperThanItsCentreOrLess) {
+  for (const double sunk : {-6.0, 3.0, 6.0, 9.0})
+    for (const int count : {224, 433, 1040}) {
+      if (count > 224 && sunk != 3.0 && !test::fullSize()) continue;
+      const Hull hull = makeHull(test::moved(closedSphere(10.0, 120, 60), {0, 0, -sunk}), "sphere",
+                                 Symmetry::Auto);
+      expectGoodPanels(hull, count, fmt::format("sphere, centre {} of R below water", sunk / 10));
+    }
+}
+
+TEST(PanellingVerification, HeeledAndTrimmedHullsArePanelled) {
+  struct Attitude {
+    double heelDeg, trimDeg;
+    int count;
+  };
+  std::vector<Attitude> all{{10, 0, 1040}, {12, -1, 433}, {20, 2, 224}};
+  if (test::fullSize()) {
+    all.clear();
+    for (const double heel : {-10.0, 3.0, 5.0, 10.0, 12.0, 15.0, 20.0, 30.0})
+      for (const double trim : {-1.0, 0.0, 2.0})
+        for (const int count : {224, 433, 1040}) all.push_back({heel, trim, count});
+  }
+  const SurfaceMesh frigate = closedFrigate(400, 60);
+  for (const Attitude& a : all)
+    expectGoodPanels(makeHull(turned(frigate, a.heelDeg, a.trimDeg), "frigate", Symmetry::None),
+                     a.count, fmt::format("frigate, heel {}°, trim {}°", a.heelDeg, a.trimDeg));
+}
+
+TEST(PanellingVerification, ABargeAndAWigleyHullMayHeelAndTrim) {
+  const SurfaceMesh box = closedBox({60, 16, 4, 4}, 24, 8, 4);
+  const SurfaceMesh sharp = closedWigley({60, 6, 3, 1}, 2, 100, 20);
+  for (const double heel : {5.0, 20.0}) {
+    expectGoodPanels(makeHull(turned(box, heel, 0), "barge", Symmetry::None), 300,
+                     fmt::format("barge, heel {}°", heel));
+    expectGoodPanels(makeHull(turned(sharp, heel, 2), "wigley", Symmetry::None), 300,
+                     fmt::format("Wigley hull, heel {}°, trim 2°", heel));
+  }
+}
+
+// Each side of a demi-hull has a quarter of a single hull's panels: rows are what it needs.
+TEST(PanellingVerification, ACatamaranWithRoundBilgesHasItsVolume) {
+  const SurfaceMesh one = closedWigley({60, 6, 3, 1}, 2, 100, 20);
+  const SurfaceMesh both = joined(test::moved(one, {0, 10, 0}), test::moved(one, {0, -10, 0}));
+  expectGoodPanels(makeHull(both, "catamaran", Symmetry::Auto), 1040, "Wigley catamaran");
 }
 
 TEST(PanellingConvergence, VolumeApproachesTheHullsAtSecondOrder) {
@@ -162,6 +231,34 @@ TEST(Panelling, ACountOutOfRangeIsRefused) {
                 std::string::npos);
     }
   }
+}
+
+TEST(PanellingClosedForm, AnOutlineWithANotchIsFilled) {
+  // 6 × 6 m without a quarter, vertices 1 m apart, as a transom seen from aft.
+  SurfaceMesh mesh;
+  const auto line = [&](double y0, double z0, double y1, double z1) {
+    const double length = std::abs(y1 - y0) + std::abs(z1 - z0);
+    for (double s = 0.0; s < length - 0.5; s += 1.0)
+      mesh.vertices.emplace_back(0.0, y0 + s / length * (y1 - y0), z0 + s / length * (z1 - z0));
+  };
+  line(3, 0, 3, -6);
+  line(3, -6, 0, -6);
+  line(0, -6, 0, -3);
+  line(0, -3, -3, -3);
+  line(-3, -3, -3, 0);
+  line(-3, 0, 3, 0);
+  std::vector<int> outline;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) outline.push_back(static_cast<int>(v));
+  addFlatPolygon(outline, 1.0, mesh);
+  double area = 0.0;
+  for (const Face& f : mesh.faces) {
+    EXPECT_LT(vectorArea(mesh, f).x(), -0.2);
+    EXPECT_LT(aspectRatio(mesh, f), 2.0);
+    area -= vectorArea(mesh, f).x();
+  }
+  EXPECT_NEAR(area, 27.0, 1e-12);
+  EXPECT_EQ(openEdges(mesh).size(), outline.size());
+  EXPECT_NEAR(static_cast<double>(mesh.faces.size()), 27.0, 5.0);
 }
 
 TEST(PanellingClosedForm, AspectRatioOfSimpleShapes) {

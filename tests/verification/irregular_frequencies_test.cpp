@@ -96,6 +96,16 @@ std::vector<Hull> hulls() {
            {{1.4, 4.0}, {2.2, 6.0}, {3.1, 16.0}}}};
 }
 
+/// What both tests below record of a hull with lid and without [% of maximum].
+void recordLid(const std::string& name, double off, double everywhere, double lid, double open) {
+  recordResult("irregular frequencies", name + ", lid and no lid off the mask, % of maximum", "0",
+               100.0 * off, "discretisation");
+  recordResult("irregular frequencies", name + ", lid and no lid, everywhere, % of maximum", "0",
+               100.0 * everywhere, "(resonances)");
+  recordResult("irregular frequencies", name + ", roughness with lid, % of maximum",
+               std::to_string(100.0 * open) + " without", 100.0 * lid, "smooth");
+}
+
 // Off the resonances lid and no lid differ by the discretisation error of both and by the foot of the
 // next resonance, 5 % of the maximum in the barge 0.15 rad/s below one; a resonance is worth twice to ten
 // times that. The mask leaves the lid's curve within the error of interpolating across it.
@@ -114,16 +124,10 @@ TEST(IrregularFrequenciesVerification, LidAndMaskAgreeOffTheResonances) {
     EXPECT_GT(everywhere, 2.0 * off) << "no resonance?";
     EXPECT_LT(roughness(lid), 0.02);
     EXPECT_GT(roughness(open), 2.0 * roughness(lid));
-    const std::string name(hull.name);
-    recordResult("irregular frequencies", name + ", lid and no lid off the mask, % of maximum", "0",
-                 100.0 * off, "discretisation");
-    recordResult("irregular frequencies", name + ", lid and mask, everywhere, % of maximum", "0",
+    recordLid(hull.name, off, everywhere, roughness(lid), roughness(open));
+    recordResult("irregular frequencies",
+                 std::string(hull.name) + ", lid and mask, everywhere, % of maximum", "0",
                  100.0 * across, "interpolation");
-    recordResult("irregular frequencies", name + ", lid and no lid, everywhere, % of maximum", "0",
-                 100.0 * everywhere, "(resonances)");
-    recordResult("irregular frequencies", name + ", roughness with lid, % of maximum",
-                 std::to_string(100.0 * roughness(open)) + " without", 100.0 * roughness(lid),
-                 "smooth");
   }
 }
 
@@ -176,14 +180,7 @@ TEST(IrregularFrequenciesVerification, LidIsSmoothInShortWavesAndMeetsTheMaskedC
     EXPECT_GT(everywhere, off);
     EXPECT_LT(roughness(lid), 2e-4);
     EXPECT_GT(roughness(open), 20.0 * roughness(lid));
-    const std::string name(hull.name);
-    recordResult("irregular frequencies", name + ", lid and no lid off the mask, % of maximum", "0",
-                 100.0 * off, "discretisation");
-    recordResult("irregular frequencies", name + ", lid and no lid, everywhere, % of maximum", "0",
-                 100.0 * everywhere, "(resonances)");
-    recordResult("irregular frequencies", name + ", roughness with lid, % of maximum",
-                 std::to_string(100.0 * roughness(open)) + " without", 100.0 * roughness(lid),
-                 "smooth");
+    recordLid(hull.name, off, everywhere, roughness(lid), roughness(open));
   }
 }
 

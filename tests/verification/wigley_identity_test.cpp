@@ -14,7 +14,7 @@ namespace {
 /// that its x-axis is our y-axis.
 Eigen::VectorXcd yIntegrals(const SurfaceMesh& port, const ModeNormals& normals,
                             const Eigen::VectorXd& v, const Eigen::VectorXcd& phi) {
-  SurfaceMesh turned = welded(joined(port, mirroredInY(port)), 1e-9 * bounds(port).diagonal());
+  SurfaceMesh turned = bothHalves(port);
   for (Vec3& x : turned.vertices) x = Vec3(x.y(), -x.x(), x.z());
   const XDerivative derivative(turned, solverPanels(turned, false));
   Eigen::VectorXcd both(2 * phi.size());
