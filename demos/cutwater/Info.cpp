@@ -7,6 +7,7 @@
 #include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Csv.h"
 #include "hydro/database/CoefficientsFile.h"
+#include "hydro/memory/RadiationModel.h"
 
 namespace cutwater::command {
 
@@ -127,6 +128,17 @@ void listSpeed(Csv& csv, const Coefficients& c) {
   if (!c.adjoint.empty()) list(csv, "speeds", "any", "m/s");
 }
 
+// How the time domain remembers: the fit's size and its distance from the convolution.
+void listMemory(Csv& csv, const Coefficients& c) {
+  if (c.omega.size() < 2) return;
+  const RadiationModel model(c, MemoryModel::Exponential,
+                             c.addedMassX.empty() ? ForwardSpeedForm::Tuck : c.forwardSpeed);
+  if (model.sum() == nullptr || model.sum()->size() == 0) return;
+  list(csv, "memory_duration", csvNumber(model.retardation().duration()), "s");
+  list(csv, "memory_poles", csvNumber(static_cast<double>(model.sum()->size())), "");
+  list(csv, "memory_fit_error", csvNumber(100.0 * model.memoryError()), "%");
+}
+
 }  // namespace
 
 void info(const std::string& database, const std::string& out) {
@@ -149,6 +161,7 @@ void info(const std::string& database, const std::string& out) {
   list(csv, "formulation", setting(c, "formulation"), "");
   listSpeed(csv, c);
   listMask(csv, c);
+  listMemory(csv, c);
   number("check_added_mass_asymmetry", asymmetry(c.addedMass), "%");
   number("check_damping_asymmetry", asymmetry(c.damping), "%");
   double smallest = std::numeric_limits<double>::infinity();

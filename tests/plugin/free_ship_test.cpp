@@ -128,7 +128,8 @@ TEST(FreeShip, KeepersBringHerToSpeedAndCourseWithinTheirLimits) {
   EXPECT_NEAR(scene.ship->velocity()[0], 8.0, 0.1);
   EXPECT_NEAR(scene.ship->course().speed(), 8.0, 0.1);
   const double weight = 4.0e6 * kSphereGravity;
-  EXPECT_LT(moment, 0.02 * weight * 110.0 * 2.0);  // the helmsman's limit and the hull's own damping
+  EXPECT_LT(moment,
+            0.02 * weight * 110.0 * 2.0);  // the helmsman's limit and the hull's own damping
 }
 
 // An hour of orders: no force jumps between two ticks by more than a trifle of her weight.
@@ -181,6 +182,32 @@ TEST(FreeShip, SnapshotsOfAFreeShipGiveTheSameBits) {
   scene.seaway.restore(saved);
   scene.run(300);
   EXPECT_TRUE(sameBits(scene.ship->body(), twin.ship->body()));
+}
+
+// Rollback in the midst of a collision: Bullet's warm start is forgotten at both ends.
+TEST(FreeShip, RollbackWhileTwoShipsTouchGivesTheSameBits) {
+  Afloat scene(underWay(4.0, Mean::Filtered));
+  ShipSettings other = underWay(-4.0, Mean::Filtered);
+  other.x = 119.0 * std::cos(0.4);
+  other.y = 119.0 * std::sin(0.4) + 2.0;
+  Ship& second = scene.seaway.addShip(scene.coefficients, other);
+  const auto touching = [&] {
+    return scene.world.dispatcher.getNumManifolds() > 0 &&
+           scene.world.dispatcher.getManifoldByIndexInternal(0)->getNumContacts() > 0;
+  };
+  for (int i = 0; i < 640 && !touching(); ++i) scene.run(1);
+  ASSERT_TRUE(touching());
+  scene.seaway.forgetContacts();
+  const Seaway::Snapshot saved = scene.seaway.save();
+  scene.run(200);
+  const btTransform first = scene.ship->body().getWorldTransform();
+  const btTransform then = second.body().getWorldTransform();
+  scene.seaway.restore(saved);
+  scene.seaway.forgetContacts();
+  scene.run(200);
+  EXPECT_TRUE(scene.ship->body().getWorldTransform() == first);
+  EXPECT_TRUE(second.body().getWorldTransform() == then);
+  EXPECT_EQ(scene.seaway.faults(), kStepOk);
 }
 
 TEST(FreeShip, BothMemoriesMoveHerAlike) {
