@@ -12,6 +12,7 @@ namespace cutwater {
 namespace {
 
 constexpr double kBandStart = 0.3, kBandEnd = 0.6;  // of the last frequency used
+constexpr double kFromDampingX = 0.8;               // of the same: above it ∂A is all ∂B's
 constexpr double kLargestScatter = 0.02, kLargestDistance = 0.1;
 
 double largest(const Mat6& difference, const Vec6& size) {
@@ -76,6 +77,27 @@ std::optional<Mat6> meanOverBand(const Coefficients& c,
 
 ConsistentLimit consistentLimit(const Coefficients& c) { return limitOf(c, RetardationMatrix(c)); }
 
+namespace {
+
+/// B, A, ∂B above the last frequency that the panels resolve, and ∂A from 0.6 of it on, become the memory's.
+void continueAbove(Coefficients& c, const RetardationMatrix& memory) {
+  const std::size_t resolved = resolvedCount(c);
+  const double last = c.omega[resolved - 1];
+  for (std::size_t i = 0; i < c.omega.size(); ++i) {
+    const double omega = c.omega[i];
+    if (memory.hasSpeedTerms() && omega > kBandEnd * last) {
+      const double share = std::min(1.0, (omega / last - kBandEnd) / (kFromDampingX - kBandEnd));
+      c.addedMassX[i] += share * (memory.addedMassX(omega) - c.addedMassX[i]);
+    }
+    if (i < resolved) continue;
+    c.damping[i] = memory.damping(omega);
+    c.addedMass[i] = c.addedMassInf - memory.sineTransform(omega) / omega;
+    if (memory.hasSpeedTerms()) c.dampingX[i] = memory.dampingX(omega);
+  }
+}
+
+}  // namespace
+
 Coefficients withConsistentLimit(Coefficients coefficients) {
   // K, D and ∂A(∞) come from B, ∂A and ∂B alone: the new A(∞) does not change them.
   const RetardationMatrix memory(coefficients, ForwardSpeedForm::Report);
@@ -84,14 +106,7 @@ Coefficients withConsistentLimit(Coefficients coefficients) {
   if (coefficients.addedMassInfDirect.isZero(0.0))
     coefficients.addedMassInfDirect = coefficients.addedMassInf;
   coefficients.addedMassInf = limit.addedMassInf;
-  for (std::size_t i = resolvedCount(coefficients); i < coefficients.omega.size(); ++i) {
-    const double omega = coefficients.omega[i];
-    coefficients.damping[i] = memory.damping(omega);
-    coefficients.addedMass[i] = limit.addedMassInf - memory.sineTransform(omega) / omega;
-    if (!memory.hasSpeedTerms()) continue;
-    coefficients.dampingX[i] = memory.dampingX(omega);
-    coefficients.addedMassX[i] = memory.addedMassX(omega);
-  }
+  continueAbove(coefficients, memory);
   if (memory.hasSpeedTerms()) coefficients.addedMassXInf = memory.addedMassXInf();
   return coefficients;
 }

@@ -50,7 +50,7 @@ std::size_t ticksOf(double step, double duration) {
 ConvolutionWeights::ConvolutionWeights(const RetardationMatrix& retardation, double step,
                                        double duration)
     : step_(step),
-      length_(ticksOf(step, duration == 0.0 ? retardation.duration() : duration)),
+      length_(ticksOf(step, duration == 0.0 ? 2.0 * retardation.duration() : duration)),
       ring_((length_ + kLanes - 1) / kLanes * kLanes) {
   std::vector<SpeedKernels> cells;
   cells.reserve(length_);

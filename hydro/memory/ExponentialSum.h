@@ -22,7 +22,7 @@ class ExponentialSum {
   /// @param addedMassInf A(∞), against which errors are weighed.
   /// @param poles  how many, a conjugate pair counted once.
   explicit ExponentialSum(const RetardationMatrix& retardation, const Mat6& addedMassInf,
-                          std::size_t poles = 16);
+                          std::size_t poles = 20);
 
   std::size_t size() const noexcept { return poles_.size(); }  ///< poles
   const std::vector<Complex>& poles() const noexcept { return poles_; }
