@@ -100,4 +100,16 @@ inline double energy(const Ship& ship, double step) {
          0.5 * motion.dot(ship.coefficients().ship.restoring * motion);
 }
 
+/// Heave, roll and pitch at rest of a ship that carries `mass` [kg] at a place about G [m] that moves with
+/// her: C η = r × W, the weight's height above G lessening C44 and C55 by W z.
+inline Vec6 carrying(const ShipParticulars& ship, double mass, const Vec3& place) {
+  const double weight = mass * ship.gravity;
+  Mat3 stiffness = ship.restoring.block<3, 3>(Heave, Heave);
+  stiffness(1, 1) -= weight * place.z();
+  stiffness(2, 2) -= weight * place.z();
+  Vec6 motion = Vec6::Zero();
+  motion.segment<3>(Heave) = stiffness.inverse() * (weight * Vec3(-1.0, -place.y(), place.x()));
+  return motion;
+}
+
 }  // namespace cutwater
