@@ -76,27 +76,27 @@ FarWave::Block FarWave::blockOf(int begin, int size) const {
 
 // Blocks in groups, so that what is written with field and source exchanged goes to the same columns,
 // and pages of memory, a few times running.
-void FarWave::fill(double K, int all, Systems& systems) const {
+void FarWave::fill(const At& at, Systems& systems) const {
   constexpr std::size_t kGroup = 8;
-  const FormFactors form(pairs_, all, K);
+  const FormFactors form(pairs_, at.all, at.K);
   const auto tiles = std::make_unique<std::array<WaveTile, 2>>();
   std::size_t count = 0;
-  while (count < blocks_.size() && blocks_[count].begin < all) ++count;
+  while (count < blocks_.size() && blocks_[count].begin < at.all) ++count;
   for (std::size_t group = 0; group < count; group += kGroup) {
     const std::size_t end = std::min(group + kGroup, count);
     for (std::size_t i = 0; i < end; ++i)
       for (std::size_t j = std::max(group, i); j < end; ++j)
-        fillPair(form, blocks_[i], blocks_[j], K, *tiles, systems);
+        fillPair(form, blocks_[i], blocks_[j], at, *tiles, systems);
   }
 }
 
-void FarWave::fillPair(const FormFactors& form, const Block& field, const Block& source, double K,
-                       std::array<WaveTile, 2>& tiles, Systems& systems) const {
+void FarWave::fillPair(const FormFactors& form, const Block& field, const Block& source,
+                       const At& at, std::array<WaveTile, 2>& tiles, Systems& systems) const {
   for (int m = 0; m < pairs_.parities(); ++m) {
     WaveTile& tile = tiles[static_cast<std::size_t>(m)];
-    place(field, source, m == 1, K, tile);
+    place(field, source, m == 1, at.K, tile);
     weigh(form, field, source, m == 1, tile);
-    tile.evaluate(K);
+    tile.evaluate(at.K);
   }
   const bool two = pairs_.parities() == 2;
   const bool images = tiles[0].takeImages || (two && tiles[1].takeImages);
@@ -106,8 +106,8 @@ void FarWave::fillPair(const FormFactors& form, const Block& field, const Block&
     InfluenceSystem<Complex>& system = systems[static_cast<std::size_t>(p)];
     for (const Target& target : {Target{field, source, false}, Target{source, field, true}}) {
       if (target.exchanged && field.begin == source.begin) continue;
-      write(target, K, tiles[static_cast<std::size_t>(p)], parity, system);
-      if (images) writeImages(target, K, tiles, parity, system);
+      write(target, at, tiles[static_cast<std::size_t>(p)], parity, system);
+      if (images) writeImages(target, at, tiles, parity, system);
     }
   }
 }
@@ -122,10 +122,9 @@ void FarWave::place(const Block& field, const Block& source, bool mirrored, doub
     tile.drop(static_cast<std::size_t>(i), static_cast<std::size_t>(j), K);
   };
   for (int j = 0; j < source.size; ++j)
-    for (const NearPair& near : rankine_.near(source.begin + j, field.begin, mirrored)) {
-      if (near.pair.field >= field.begin + field.size) break;
+    for (const NearPair& near :
+         rankine_.near(source.begin + j, mirrored, field.begin, field.begin + field.size))
       drop(near.pair.field - field.begin, j);
-    }
   for (int j = 0; j < kSide; ++j)
     for (int i = j < source.size ? field.size : 0; i < kSide; ++i) drop(i, j);
 }
@@ -175,10 +174,11 @@ CUTWATER_INLINE void writeColumns(const WaveTile::Column& re, const WaveTile::Co
 
 // The normal is the source's (potential) or the field's with its horizontal part reversed (source),
 // see PanelPairs. Seen the other way round ê is −ê, with y mirrored where the field panel was.
-CUTWATER_VECTOR void FarWave::write(const Target& target, double K, const WaveTile& tile,
+CUTWATER_VECTOR void FarWave::write(const Target& target, const At& at, const WaveTile& tile,
                                     Parity parity, InfluenceSystem<Complex>& system) const {
   const Block &field = target.field, &source = target.source;
   const bool exchanged = target.exchanged;
+  const double G = kG * at.rowShare(field.begin, pairs_.hull());
   const RankineParts& part = rankine_.parts(parity);
   const auto put = [&](const WaveTile::Column& re, const WaveTile::Column& im,
                        const Eigen::MatrixXd& rigid, double factor, double wave,
@@ -191,40 +191,40 @@ CUTWATER_VECTOR void FarWave::write(const Target& target, double K, const WaveTi
                       source.begin, source.size, to);
   };
   if ((pairs_.isSource() ? field : source).begin >= pairs_.hull()) {
-    put(tile.valueRe, tile.valueIm, part.rigid, kG * K, 1.0, system.L);
+    put(tile.valueRe, tile.valueIm, part.rigid, G * at.K, 1.0, system.L);
     return;
   }
   if (pairs_.isSource() == exchanged)
-    put(tile.sourceRe, tile.sourceIm, part.rigidNormal, kG, 1.0, system.L);
+    put(tile.sourceRe, tile.sourceIm, part.rigidNormal, G, 1.0, system.L);
   else
-    put(tile.fieldRe, tile.fieldIm, part.rigidNormal, kG, 1.0, system.L);
-  put(tile.valueRe, tile.valueIm, part.rigid, kG, 1.0, system.R);
+    put(tile.fieldRe, tile.fieldIm, part.rigidNormal, G, 1.0, system.L);
+  put(tile.valueRe, tile.valueIm, part.rigid, G, 1.0, system.R);
   if (system.H.size() > 0)
-    put(tile.xRe, tile.xIm, part.rigidX, kG, exchanged ? 1.0 : -1.0, system.H);
+    put(tile.xRe, tile.xIm, part.rigidX, G, exchanged ? 1.0 : -1.0, system.H);
 }
 
 // With a, b the shares of a panel and of its mirror image, E and O the integrals of the two parities:
 // even a(E + O)/2 + b(E − O)/2, odd a(E + O)/2 − b(E − O)/2. The tiles hold a + b and a − b.
-CUTWATER_VECTOR void FarWave::writeImages(const Target& target, double K,
+CUTWATER_VECTOR void FarWave::writeImages(const Target& target, const At& at,
                                           const std::array<WaveTile, 2>& tiles, Parity parity,
                                           InfluenceSystem<Complex>& system) const {
   const auto& [field, source, exchanged] = target;
   const bool onLid = (pairs_.isSource() ? field : source).begin >= pairs_.hull();
   const bool one = pairs_.parities() == 1;
+  const double G = (one ? -kG : -0.5 * kG) * at.rowShare(field.begin, pairs_.hull());
   const RankineParts &own = rankine_.parts(parity),
                      &other =
                          rankine_.parts(one || parity == Parity::Odd ? Parity::Even : Parity::Odd);
   for (int c = 0; c < source.size; ++c)
     for (int r = 0; r < field.size; ++r) {
       const auto k = static_cast<std::size_t>(exchanged ? kSide * r + c : kSide * c + r);
-      const double same = one ? -kG * tiles[0].share[k] : -0.5 * kG * tiles[0].share[k],
-                   cross = one ? 0.0 : -0.5 * kG * tiles[1].share[k];
+      const double same = G * tiles[0].share[k], cross = one ? 0.0 : G * tiles[1].share[k];
       const int row = field.begin + r, column = source.begin + c;
       const auto integral = [&](const Eigen::MatrixXd RankineParts::*image) {
         return same * (own.*image)(row, column) + cross * (other.*image)(row, column);
       };
       const double value = integral(&RankineParts::image);
-      system.L(row, column) += onLid ? K * value : integral(&RankineParts::imageNormal);
+      system.L(row, column) += onLid ? at.K * value : integral(&RankineParts::imageNormal);
       if (onLid) continue;
       system.R(row, column) += value;
       if (system.H.size() > 0) system.H(row, column) += integral(&RankineParts::imageX);

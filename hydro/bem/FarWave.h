@@ -36,9 +36,17 @@ class FarWave {
   /// Both must outlive this.
   FarWave(const PanelPairs& pairs, const RankineMatrices& rankine);
 
-  /// Fills the first `all` rows and columns with these and with what needs no wave term, near pairs
-  /// included; the lid's rows at share 1 and without their own densities.  @param K [1/m].
-  void fill(double K, int all, Systems& systems) const;
+  /// Where a system is wanted.
+  struct At {
+    double K;         ///< ω²/g [1/m]
+    double lidShare;  ///< of the lid's equations, InfluenceMatrices::lidShare
+    int all;          ///< so many rows and columns: of the hull, or of hull and lid
+    double rowShare(int row, int hull) const { return row < hull ? 1.0 : lidShare; }
+  };
+
+  /// Fills the systems with these and with what needs no wave term, near pairs included; the lid's
+  /// rows without their own densities.
+  void fill(const At& at, Systems& systems) const;
 
  private:
   /// Consecutive panels, all of the hull or all of the lid.
@@ -53,15 +61,15 @@ class FarWave {
     bool exchanged;
   };
   Block blockOf(int begin, int size) const;
-  void fillPair(const FormFactors& form, const Block& field, const Block& source, double K,
+  void fillPair(const FormFactors& form, const Block& field, const Block& source, const At& at,
                 std::array<WaveTile, 2>& tiles, Systems& systems) const;
   void place(const Block& field, const Block& source, bool mirrored, double K,
              WaveTile& tile) const;
   void weigh(const FormFactors& form, const Block& field, const Block& source, bool mirrored,
              WaveTile& tile) const;
-  void write(const Target& target, double K, const WaveTile& tile, Parity parity,
+  void write(const Target& target, const At& at, const WaveTile& tile, Parity parity,
              InfluenceSystem<Complex>& system) const;
-  void writeImages(const Target& target, double K, const std::array<WaveTile, 2>& tiles,
+  void writeImages(const Target& target, const At& at, const std::array<WaveTile, 2>& tiles,
                    Parity parity, InfluenceSystem<Complex>& system) const;
 
   const PanelPairs& pairs_;

@@ -67,15 +67,15 @@ std::array<InfluenceSystem<Complex>, 2> InfluenceMatrices::atWaveNumber(
   const int all = drop ? pairs_.hull() : pairs_.all();
   Systems systems = std::move(room);
   makeRoom(all, systems);
+  const FarWave::At at{K, share, all};
   if (settings().sourcePoints == 0) {
-    farWave_.fill(K, all, systems);
+    farWave_.fill(at, systems);
   } else {
-    fillRigid(K, all, systems);
-    addFarWaves(K, all, systems);
+    fillRigid(at, systems);
+    addFarWaves(at, systems);
   }
-  addNearWaves(K, all, systems);
-  addJumps(systems);
-  if (!drop) scaleLid(share, systems);
+  addNearWaves(at, systems);
+  addDiagonals(systems);
   return systems;
 }
 
@@ -90,8 +90,9 @@ void InfluenceMatrices::makeRoom(int all, Systems& systems) const {
   }
 }
 
-/// What needs no wave term, the lid's rows at share 1 and without their own densities.
-void InfluenceMatrices::fillRigid(double K, int all, Systems& systems) const {
+/// What needs no wave term, the lid's rows without their own densities.
+void InfluenceMatrices::fillRigid(const FarWave::At& at, Systems& systems) const {
+  const auto [K, share, all] = at;
   const int hull = pairs_.hull(), lid = all - hull;
   for (int p = 0; p < parities(); ++p) {
     const RankineParts& part = rankine_.parts(static_cast<Parity>(p));
@@ -106,54 +107,47 @@ void InfluenceMatrices::fillRigid(double K, int all, Systems& systems) const {
       L.rightCols(lid) = K * kG * part.rigid.block(0, hull, all, lid).cast<Complex>();
     R = G(part.rigid, static_cast<int>(R.rows()), static_cast<int>(R.cols()));
     if (H.size() > 0) H = G(part.rigidX, hull, all);
+    L.bottomRows(lid) *= share;
+    if (!pairs_.isSource()) R.bottomRows(lid) *= share;
   }
 }
 
-/// Jumps of the layers: ½ on the hull's diagonal, and of ∂φ/∂x in H.
-void InfluenceMatrices::addJumps(Systems& systems) const {
+/// Jumps of the layers: ½ on the hull's diagonal, and of ∂φ/∂x in H. The lid's densities.
+void InfluenceMatrices::addDiagonals(Systems& systems) const {
   const int hull = pairs_.hull();
   for (int p = 0; p < parities(); ++p) {
     auto& [L, R, H, formulation] = systems[static_cast<std::size_t>(p)];
     L.diagonal().head(hull).array() += 0.5;
+    L.diagonal().tail(L.rows() - hull).array() -= 1.0;
     for (int i = 0; i < hull && H.size() > 0; ++i) H(i, i) += 0.5 * pairs_.panel(i).normal.x();
   }
 }
 
-void InfluenceMatrices::scaleLid(double share, Systems& systems) const {
-  const int hull = pairs_.hull(), lid = pairs_.all() - hull;
-  for (int p = 0; p < parities(); ++p) {
-    auto& system = systems[static_cast<std::size_t>(p)];
-    system.L.bottomRows(lid) *= share;
-    system.L.diagonal().tail(lid).array() -= 1.0;
-    if (!pairs_.isSource()) system.R.bottomRows(lid) *= share;
-  }
-}
-
-void InfluenceMatrices::add(const Pair& pair, double K, const WaveIntegral& wave, Complex x,
-                            Systems& systems) const {
+void InfluenceMatrices::add(const Pair& pair, const FarWave::At& at, const WaveIntegral& wave,
+                            Complex x, Systems& systems) const {
   const int hull = pairs_.hull();
   const bool onLid = pairs_.isSource() ? pair.field >= hull : pair.source >= hull;
   for (int p = 0; p < parities(); ++p) {
     auto& [L, R, H, formulation] = systems[static_cast<std::size_t>(p)];
-    const double factor = pair.mirrored && p == 1 ? -kG : kG;
-    L(pair.field, pair.source) += factor * (onLid ? K * wave.value : wave.along);
+    const double factor = (pair.mirrored && p == 1 ? -kG : kG) * at.rowShare(pair.field, hull);
+    L(pair.field, pair.source) += factor * (onLid ? at.K * wave.value : wave.along);
     if (onLid) continue;
     R(pair.field, pair.source) += factor * wave.value;
     if (H.size() > 0) H(pair.field, pair.source) += factor * x;
   }
 }
 
-void InfluenceMatrices::addFarWaves(double K, int all, Systems& systems) const {
-  for (int j = 0; j < all; ++j)
+void InfluenceMatrices::addFarWaves(const FarWave::At& at, Systems& systems) const {
+  for (int j = 0; j < at.all; ++j)
     for (int i = 0; i <= j; ++i)
       for (int m = 0; m < parities(); ++m) {
         const Pair pair{i, j, m == 1}, back{j, i, m == 1};
         if (pairs_.isNear(pair)) continue;
-        if (pairs_.pointsPerSide(i, j, K) == 1 && pairs_.pointsPerSide(j, i, K) == 1) {
-          addFarPair(pair, K, systems);
+        if (settings().sourcePoints == 1) {
+          addFarPair(pair, at, systems);
         } else {
-          addFarWave(pair, K, systems);
-          if (i != j) addFarWave(back, K, systems);
+          addFarWave(pair, at, systems);
+          if (i != j) addFarWave(back, at, systems);
         }
       }
 }
@@ -161,7 +155,9 @@ void InfluenceMatrices::addFarWaves(double K, int all, Systems& systems) const {
 // The wave term of two centroids serves both directions: it depends on the horizontal distance and
 // on z + ζ only. With mirrored, x_i at −y_i seen from j is the mirror image of x_j at −y_j seen
 // from i.
-void InfluenceMatrices::addFarPair(const Pair& pair, double K, Systems& systems) const {
+void InfluenceMatrices::addFarPair(const Pair& pair, const FarWave::At& at,
+                                   Systems& systems) const {
+  const double K = at.K;
   const Pair back{pair.source, pair.field, pair.mirrored};
   const auto apart = [&](const Pair& p) -> Vec3 {
     return pairs_.panel(p.source).centroid - imageInY(pairs_.panel(p.field).centroid, p.mirrored);
@@ -188,56 +184,60 @@ void InfluenceMatrices::addFarPair(const Pair& pair, double K, Systems& systems)
     const Complex value = area * (w.value + share * perR1) - share * image.potential;
     const Complex x =
         settings().xDerivative ? derivative(-Vec3::UnitX(), image.x) : Complex(0.0, 0.0);
-    add(p, K, {value, derivative(pairs_.direction(p), image.normal)}, x, systems);
+    add(p, at, {value, derivative(pairs_.direction(p), image.normal)}, x, systems);
   };
   put(pair, d);
   if (pair.field != pair.source) put(back, apart(back));
 }
 
-void InfluenceMatrices::addFarWave(const Pair& pair, double K, Systems& systems) const {
+void InfluenceMatrices::addFarWave(const Pair& pair, const FarWave::At& at,
+                                   Systems& systems) const {
+  const double K = at.K;
   const Vec3 e = pairs_.direction(pair);
   const double fieldArea = pairs_.panel(pair.field).area;
   WaveIntegral sum{};
   Complex sumX = 0.0;
   const int n = pairs_.pointsPerSide(pair.field, pair.source, K);
-  for (const QuadraturePoint& at : pairs_.points(pair.field, pairs_.fieldPointsPerSide(pair, K))) {
-    const Vec3 x = imageInY(at.x, pair.mirrored);
+  for (const QuadraturePoint& seen :
+       pairs_.points(pair.field, pairs_.fieldPointsPerSide(pair, K))) {
+    const Vec3 x = imageInY(seen.x, pair.mirrored);
     for (const QuadraturePoint& point : pairs_.points(pair.source, n)) {
       const double dx = point.x.x() - x.x(), dy = point.x.y() - x.y();
       const double h = std::sqrt(dx * dx + dy * dy), perH = h > 0.0 ? 1.0 / h : 0.0;
       const WavePoint w(K, K * h, -K * (x.z() + point.x.z()));
-      const double weight = point.weight * at.weight / fieldArea;
+      const double weight = point.weight * seen.weight / fieldArea;
       sum.value += weight * w.value;
       sum.along += weight * ((e.x() * dx + e.y() * dy) * perH * w.slope - e.z() * w.rise);
       sumX -= weight * dx * perH * w.slope;
     }
   }
-  add(pair, K, sum, sumX, systems);
+  add(pair, at, sum, sumX, systems);
 }
 
-void InfluenceMatrices::addNearWaves(double K, int all, Systems& systems) const {
+void InfluenceMatrices::addNearWaves(const FarWave::At& at, Systems& systems) const {
+  const double K = at.K;
   const bool split = settings().sourcePoints == 0;
-  for (int source = 0; source < all; ++source) {
+  for (int source = 0; source < at.all; ++source) {
     for (const NearPair& near : rankine_.near(source)) {
       const Pair& pair = near.pair;
-      if (pair.field >= all) continue;
+      if (pair.field >= at.all) continue;
       const int n = pairs_.pointsPerSide(pair.field, source, K);
       const auto& on = pairs_.points(source, split ? std::max(2, n) : n);
       const Vec3 e = pairs_.direction(pair);
       const double area = pairs_.panel(pair.field).area;
       WaveIntegral sum{};
       Complex sumX = 0.0;
-      for (const QuadraturePoint& at :
+      for (const QuadraturePoint& seen :
            pairs_.points(pair.field, pairs_.fieldPointsPerSide(pair, K))) {
-        const Vec3 x = imageInY(at.x, pair.mirrored);
-        const double weight = at.weight / area;
+        const Vec3 x = imageInY(seen.x, pair.mirrored);
+        const double weight = seen.weight / area;
         const WaveIntegral one = nearWave(x, near.image, e, on, K);
         sum.value += weight * one.value;
         sum.along += weight * one.along;
         if (settings().xDerivative)
           sumX += weight * nearWave(x, near.alongX, -Vec3::UnitX(), on, K).along;
       }
-      add(pair, K, sum, sumX, systems);
+      add(pair, at, sum, sumX, systems);
     }
   }
 }

@@ -71,14 +71,14 @@ class InfluenceMatrices {
  private:
   using Systems = std::array<InfluenceSystem<Complex>, 2>;
   void makeRoom(int all, Systems& systems) const;
-  void fillRigid(double K, int all, Systems& systems) const;
-  void addJumps(Systems& systems) const;
-  void addFarWaves(double K, int all, Systems& systems) const;
-  void addFarPair(const Pair& pair, double K, Systems& systems) const;
-  void addFarWave(const Pair& pair, double K, Systems& systems) const;
-  void addNearWaves(double K, int all, Systems& systems) const;
-  void add(const Pair& pair, double K, const WaveIntegral& wave, Complex x, Systems& systems) const;
-  void scaleLid(double share, Systems& systems) const;
+  void fillRigid(const FarWave::At& at, Systems& systems) const;
+  void addDiagonals(Systems& systems) const;
+  void addFarWaves(const FarWave::At& at, Systems& systems) const;
+  void addFarPair(const Pair& pair, const FarWave::At& at, Systems& systems) const;
+  void addFarWave(const Pair& pair, const FarWave::At& at, Systems& systems) const;
+  void addNearWaves(const FarWave::At& at, Systems& systems) const;
+  void add(const Pair& pair, const FarWave::At& at, const WaveIntegral& wave, Complex x,
+           Systems& systems) const;
 
   PanelPairs pairs_;
   RankineMatrices rankine_;

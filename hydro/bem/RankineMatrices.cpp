@@ -144,14 +144,15 @@ void RankineMatrices::findNear(int source) {
     }
 }
 
-std::span<const NearPair> RankineMatrices::near(int source, int field, bool mirrored) const {
+std::span<const NearPair> RankineMatrices::near(int source, bool mirrored, int from, int to) const {
   const std::vector<NearPair>& all = near(source);
-  const auto from = std::partition_point(all.begin(), all.end(), [&](const NearPair& near) {
-    return std::pair(near.pair.mirrored, near.pair.field) < std::pair(mirrored, field);
-  });
-  const auto to = std::partition_point(
-      from, all.end(), [&](const NearPair& near) { return near.pair.mirrored == mirrored; });
-  return {from, to};
+  const auto isBefore = [mirrored](const NearPair& near, int field) {
+    return near.pair.mirrored == mirrored ? near.pair.field < field : mirrored;
+  };
+  const auto first = std::lower_bound(all.begin(), all.end(), from, isBefore);
+  auto last = first;
+  while (last != all.end() && isBefore(*last, to)) ++last;
+  return {first, last};
 }
 
 RankineMatrices::Image RankineMatrices::imageOf(const Pair& pair) const {

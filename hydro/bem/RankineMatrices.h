@@ -33,8 +33,8 @@ class RankineMatrices {
   const std::vector<NearPair>& near(int source) const {
     return near_[static_cast<std::size_t>(source)];
   }
-  /// Of one source panel the near pairs of that side, by field panel, from `field` on.
-  std::span<const NearPair> near(int source, int field, bool mirrored) const;
+  /// Those of one side with field panels `from` to before `to`, in order.
+  std::span<const NearPair> near(int source, bool mirrored, int from, int to) const;
   /// The image part of one pair, from those of the two parities.
   struct Image {
     double potential, normal, x;

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "hydro/Errors.h"
-#include "hydro/Vector.h"
+#include "hydro/VectorMath.h"
 
 namespace cutwater {
 namespace {
@@ -16,24 +16,21 @@ namespace {
 // computed by someone else, far below any distance that matters.
 constexpr double kInPlane = 1e-10;
 
-// ∫ dl/r along an edge, from its coordinates s1 < s2 along the edge relative to the foot of x, the
-// distances r1, r2 of its ends, and h² = the squared distance of x from its line. Each branch adds
-// numbers of one sign, so nothing cancels near the edge or its extension.
-double edgeIntegral(double s1, double s2, double r1, double r2, double h2) {
-  double above, below;
-  if (s1 >= 0.0) {
-    above = r2 + s2;
-    below = r1 + s1;
-  } else if (s2 <= 0.0) {
-    above = r1 - s1;
-    below = r2 - s2;
-  } else {
-    above = (r2 + s2) * (r1 - s1);
-    below = h2;
-  }
-  constexpr double kCutOff =
-      1e-26;  // a ratio of 1e26 makes L = 60; only points on the edge get there
-  return std::log(above / std::max(below, kCutOff * above));
+// The edges of a panel, one a lane. Coordinates s1 < s2 of their ends along the edge relative to the
+// foot of x, distances r1, r2 of the ends from x, distance d of the foot from the edge's line.
+struct Edges {
+  Four s1, s2, r1, r2, d;
+};
+
+// ∫ dl/r along each edge, h² = the squared distance of x from its line. Each branch adds numbers of one
+// sign, so nothing cancels near the edge or its extension.
+CUTWATER_INLINE Four edgeIntegrals(const Edges& e, Four h2) {
+  const auto ahead = e.s1 >= 0.0, behind = e.s2 <= 0.0;
+  const Four above = ahead ? e.r2 + e.s2 : behind ? e.r1 - e.s1 : (e.r2 + e.s2) * (e.r1 - e.s1);
+  const Four below = ahead ? e.r1 + e.s1 : behind ? e.r2 - e.s2 : h2;
+  // A ratio of 1e26 makes L = 60; only points on the edge get there.
+  const Four least = 1e-26 * above;
+  return logarithm(above / (below > least ? below : least));
 }
 
 // std::complex's operator* looks for infinities; these numbers have none.
@@ -41,11 +38,17 @@ std::complex<double> product(std::complex<double> a, std::complex<double> b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
-// An edge's part of the solid angle is arg [(q2 + i d s2)(q1 − i d s1)], q = h² + |z| r [Wilton84].
-// Every q is positive, so it is smooth wherever the foot of x lies.
-std::complex<double> edgeTurn(double d, double s1, double s2, double q1, double q2, double scale) {
-  return product({q2 * scale, d * s2 * scale}, {q1 * scale, -d * s1 * scale});
+// The product over all edges of (q2 + i d s2)(q1 − i d s1), q = h² + |z| r, whose argument is the solid
+// angle [Wilton84]. Every q is positive, so it is smooth wherever the foot of x lies.
+CUTWATER_INLINE std::complex<double> turn(const Edges& e, Four h2, double height, double scale,
+                                          FourBits isEdge) {
+  const Four q1 = scale * (h2 + height * e.r1), q2 = scale * (h2 + height * e.r2);
+  const Four i1 = scale * e.d * e.s1, i2 = scale * e.d * e.s2, zero = {};
+  const Four re = isEdge ? q1 * q2 + i1 * i2 : zero + 1.0, im = isEdge ? i2 * q1 - q2 * i1 : zero;
+  return product(product({re[0], im[0]}, {re[1], im[1]}), product({re[2], im[2]}, {re[3], im[3]}));
 }
+
+CUTWATER_INLINE double sum(Four x) { return (x[0] + x[1]) + (x[2] + x[3]); }
 
 // The angle 0 ≤ |S| < 2π of the product over all edges: one arctangent for the panel. Off the plane
 // 2π − |S| exceeds kInPlane, so a negative angle smaller than that is the round-off of 0.
@@ -128,6 +131,10 @@ void RankinePanel::placeCorners(std::span<const Vec3> corner) {
     cornerV_[i] -= momentV / area_;
     radius_ = std::max(radius_, std::hypot(cornerU_[i], cornerV_[i]));
   }
+  for (std::size_t i = n; i < 4; ++i) {  // a triangle's last edge has no length
+    cornerU_[i] = cornerU_[0];
+    cornerV_[i] = cornerV_[0];
+  }
   scale_ = 1.0 / (radius_ * radius_);
   centroid_ = origin + (momentU / area_) * u_ + (momentV / area_) * v_;
 }
@@ -173,37 +180,29 @@ void RankinePanel::takeMoments() {
   quartic9_ = {4.375 * m40, 17.5 * m31, 26.25 * m22, 17.5 * m13, 4.375 * m04};
 }
 
-RankineIntegrals RankinePanel::exactAt(const Vec3& x) const noexcept {
-  const Vec3 d = x - centroid_;
-  const double xu = u_.dot(d), xv = v_.dot(d);
-  double z = normal_.dot(d);
+CUTWATER_VECTOR RankineIntegrals RankinePanel::exactAt(const Vec3& x) const noexcept {
+  const Vec3 fromCentroid = x - centroid_;
+  const double xu = u_.dot(fromCentroid), xv = v_.dot(fromCentroid);
+  double z = normal_.dot(fromCentroid);
   const bool inPlane = std::abs(z) <= kInPlane * radius_;
   if (inPlane) z = 0.0;
 
-  const auto n = static_cast<std::size_t>(corners_);
-  std::array<double, 4> au{}, av{}, r{};
-  for (std::size_t i = 0; i < n; ++i) {
-    au[i] = cornerU_[i] - xu;
-    av[i] = cornerV_[i] - xv;
-    r[i] = std::sqrt(au[i] * au[i] + av[i] * av[i] + z * z);
-  }
-  const double height = std::abs(z);
-  double potential = 0.0, gradientU = 0.0, gradientV = 0.0;
-  std::complex<double> turn = 1.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (length_[i] == 0.0) continue;
-    const double r1 = r[i], r2 = r[i + 1 < n ? i + 1 : 0];
-    const double s1 = tangentU_[i] * au[i] + tangentV_[i] * av[i], s2 = s1 + length_[i];
-    const double distance = tangentV_[i] * au[i] - tangentU_[i] * av[i];
-    const double h2 = distance * distance + z * z;
-    const double edge = edgeIntegral(s1, s2, r1, r2, h2);
-    potential += distance * edge;
-    gradientU -= tangentV_[i] * edge;
-    gradientV += tangentU_[i] * edge;
-    turn = product(turn, edgeTurn(distance, s1, s2, h2 + height * r1, h2 + height * r2, scale_));
-  }
-  const double solidAngle = inPlane ? 0.0 : std::copysign(fullAngle(turn), z);
-  return {potential - z * solidAngle, gradientU * u_ + gradientV * v_ - solidAngle * normal_,
+  const Four au = loadFour(cornerU_.data()) - xu, av = loadFour(cornerV_.data()) - xv;
+  const Four tangentU = loadFour(tangentU_.data()), tangentV = loadFour(tangentV_.data()),
+             length = loadFour(length_.data());
+  Edges e;
+  e.r1 = squareRoot(au * au + av * av + z * z);
+  e.r2 = Four{e.r1[1], e.r1[2], e.r1[3], e.r1[0]};
+  e.s1 = tangentU * au + tangentV * av;
+  e.s2 = e.s1 + length;
+  e.d = tangentV * au - tangentU * av;
+  const Four h2 = e.d * e.d + z * z;
+  const auto isEdge = length > 0.0;
+  const Four integral = isEdge ? edgeIntegrals(e, h2) : length;
+  double solidAngle = 0.0;
+  if (!inPlane) solidAngle = std::copysign(fullAngle(turn(e, h2, std::abs(z), scale_, isEdge)), z);
+  return {sum(e.d * integral) - z * solidAngle,
+          -sum(tangentV * integral) * u_ + sum(tangentU * integral) * v_ - solidAngle * normal_,
           solidAngle};
 }
 

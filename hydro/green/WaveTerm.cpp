@@ -19,9 +19,12 @@ CUTWATER_INLINE Four besselFromTable(const BesselCell* cells, double X) {
   const auto i = static_cast<std::size_t>(X);
   const double t = 2.0 * (X - static_cast<double>(i)) - 1.0;
   const auto& c = cells[i].coefficient;
-  Four sum = c[kBesselPoints - 1];
-  for (std::size_t p = kBesselPoints - 1; p-- > 0;) sum = sum * t + c[p];
-  return sum;
+  Four even = c[kBesselPoints - 2], odd = c[kBesselPoints - 1];
+  for (std::size_t p = kBesselPoints - 2; p > 0; p -= 2) {
+    even = even * (t * t) + c[p - 2];
+    odd = odd * (t * t) + c[p - 1];
+  }
+  return even + t * odd;
 }
 
 // Coefficients a_k of Hankel's expansion with their signs, (−1)^⌊k/2⌋ (4n²−1²)(4n²−3²)…/(k! 8^k).
@@ -84,23 +87,24 @@ struct Points {
     CUTWATER_INLINE Four four(std::size_t i) const { return loadFour(data() + i); }
     CUTWATER_INLINE void put(std::size_t i, Four x) { storeFour(data() + i, x); }
   };
-  std::size_t count;
+  std::size_t given, count;     // as many as there are, and filled up
   Column X, Y, R, perR, alpha;  // alpha = Y/R
   Column a, b;                  // place in the patch
   std::array<const Patch*, kMost> patch;
   std::array<std::int64_t, kMost> isNear;  // all bits, or none
   Column S, T;                             // what the patch holds
-  Column J0, J1, Y0, Y1, F, FX;
+  Column J0, J1, Y0, Y1;                   // without e^{−Y}
 
   CUTWATER_INLINE void take(const double* fromX, const double* fromY, std::size_t points) {
-    std::copy_n(fromX, points, X.begin());
-    std::copy_n(fromY, points, Y.begin());
-    for (count = points; count % 4 != 0; ++count) X[count] = Y[count] = 1.0;
-    for (std::size_t i = 0; i < count; i += 4) {
-      const Four x = X.four(i), y = Y.four(i), r = squareRoot(x * x + y * y), inverse = 1.0 / r;
-      R.put(i, r);
-      perR.put(i, inverse);
-      alpha.put(i, y * inverse);
+    given = points;
+    for (count = 0; count < given; count += 4) {
+      const Four x = some(fromX, count), y = some(fromY, count);
+      const Four r = squareRoot(x * x + y * y), inverse = 1.0 / r;
+      X.put(count, x);
+      Y.put(count, y);
+      R.put(count, r);
+      perR.put(count, inverse);
+      alpha.put(count, y * inverse);
     }
   }
 
@@ -133,7 +137,6 @@ struct Points {
     }
   }
 
-  /// Bessel functions, still without e^{−Y}.
   CUTWATER_INLINE void bessels(const Tables& tables) {
     constexpr double kLast = kBesselCells;
     for (std::size_t i = 0; i < count; i += 4) {
@@ -160,17 +163,13 @@ struct Points {
   // near: F = −2 e^{−Y} J₀ ln((R+Y)/2) + S,
   //       ∂F/∂X = 2 e^{−Y}[J₁ ln((R+Y)/2) − J₀ X/(R(R+Y))] + (X/R) T
   // far:  F = −2π e^{−Y} Y₀ − 2S/R,  ∂F/∂X = 2π e^{−Y} Y₁ + 2XT/R³
-  CUTWATER_INLINE void finish() {
+  CUTWATER_INLINE void finish(const WaveTermArrays& terms) {
     for (std::size_t i = 0; i < count; i += 4) {
       const Four x = X.four(i), y = Y.four(i), r = R.four(i), inverse = perR.four(i);
       const auto silent = (y >= kSilent) & (r > 36.0);
       const Four E = silent ? y * 0.0 : exponential(silent ? y * 0.0 : -y);
       const Four j0 = E * J0.four(i), j1 = E * J1.four(i), y0 = E * Y0.four(i), y1 = E * Y1.four(i),
                  s = S.four(i), t = T.four(i);
-      J0.put(i, j0);
-      J1.put(i, j1);
-      Y0.put(i, y0);
-      Y1.put(i, y1);
       Four f = -2.0 * s * inverse - 2.0 * kPi * y0;
       Four fX = 2.0 * x * t * inverse * inverse * inverse + 2.0 * kPi * y1;
       FourBits near;
@@ -180,12 +179,27 @@ struct Points {
         f = near ? s - j0 * L : f;
         fX = near ? j1 * L + x * inverse * (t - 2.0 * j0 / sum) : fX;
       }
-      F.put(i, f);
-      FX.put(i, fX);
+      give(f, terms.F, i);
+      give(fX, terms.FX, i);
+      give(j0, terms.J0, i);
+      give(j1, terms.J1, i);
+      give(y0, terms.Y0, i);
+      give(y1, terms.Y1, i);
     }
   }
 
  private:
+  /// Four numbers from i on, 1 for those that are not there.
+  CUTWATER_INLINE Four some(const double* from, std::size_t i) const {
+    if (i + 4 <= given) return loadFour(from + i);
+    Four x = Four{} + 1.0;
+    for (std::size_t k = i; k < given; ++k) x[k - i] = from[k];
+    return x;
+  }
+  CUTWATER_INLINE void give(Four x, double* to, std::size_t i) const {
+    if (i + 4 <= given) return storeFour(to + i, x);
+    for (std::size_t k = i; k < given; ++k) to[k] = x[k - i];
+  }
   CUTWATER_INLINE void put(std::size_t i, bool near, const Patch& in, const Place& row,
                            const Place& column) {
     isNear[i] = near ? -1 : 0;
@@ -214,13 +228,8 @@ CUTWATER_VECTOR void waveTerms(const double* X, const double* Y, std::size_t cou
     p.find(all);
     p.interpolate();
     p.bessels(all);
-    p.finish();
-    std::copy_n(p.F.begin(), some, terms.F + from);
-    std::copy_n(p.FX.begin(), some, terms.FX + from);
-    std::copy_n(p.J0.begin(), some, terms.J0 + from);
-    std::copy_n(p.J1.begin(), some, terms.J1 + from);
-    std::copy_n(p.Y0.begin(), some, terms.Y0 + from);
-    std::copy_n(p.Y1.begin(), some, terms.Y1 + from);
+    p.finish({terms.F + from, terms.FX + from, terms.J0 + from, terms.J1 + from, terms.Y0 + from,
+              terms.Y1 + from});
   }
 }
 

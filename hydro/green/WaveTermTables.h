@@ -21,12 +21,21 @@ struct alignas(64) Patch {
   Four coefficient[kPoints][kFours];
 
   CUTWATER_INLINE std::array<double, 2> at(double a, double b) const noexcept {
-    Four row[kFours];
-    for (std::size_t k = 0; k < kFours; ++k) row[k] = coefficient[kPoints - 1][k];
-    for (std::size_t i = kPoints - 1; i-- > 0;)
-      for (std::size_t k = 0; k < kFours; ++k) row[k] = row[k] * a + coefficient[i][k];
-    Four sum = row[kFours - 1];
-    for (std::size_t k = kFours - 1; k-- > 0;) sum = sum * (b * b) + row[k];
+    // Even and odd powers apart: half the steps that wait for each other.
+    const double aa = a * a, bb = b * b;
+    Four even[kFours], odd[kFours];
+    for (std::size_t k = 0; k < kFours; ++k) {
+      even[k] = coefficient[kPoints - 2][k];
+      odd[k] = coefficient[kPoints - 1][k];
+    }
+    for (std::size_t i = kPoints - 2; i > 0; i -= 2)
+      for (std::size_t k = 0; k < kFours; ++k) {
+        even[k] = even[k] * aa + coefficient[i - 2][k];
+        odd[k] = odd[k] * aa + coefficient[i - 1][k];
+      }
+    for (std::size_t k = 0; k < kFours; ++k) even[k] += odd[k] * a;
+    const Four sum =
+        (even[0] + even[1] * bb) + (bb * bb) * ((even[2] + even[3] * bb) + even[4] * (bb * bb));
     return {sum[0] + b * sum[2], sum[1] + b * sum[3]};
   }
 };
