@@ -12,9 +12,10 @@ constexpr double kAlike = 0.9986;                        // cos 3°
 constexpr double kRough = 2e-4;                          // of the size
 constexpr double kLeastBlend = 0.15, kMostBlend = 0.45;  // of the length
 constexpr double kUpright = 8e-3;                        // dx/dz of a stem
-constexpr double kMostRake = 0.8, kMostBulge = 4.0;      // the same
+constexpr double kMostBulge = 4.0;                       // the same
+constexpr double kMostFold = 0.65;                       // rake times draught by reach
 constexpr double kUpperPart = 0.3;                       // of the draught
-constexpr double kFanDepths = 2.0;                       // draughts from the end
+constexpr double kFanDepths = 3.0;                       // draughts from the end
 constexpr double kExact = 1e-6;                          // of the size
 constexpr int kPicks = 40;                               // faces whose planes are tried
 
@@ -105,8 +106,8 @@ void lean(std::vector<double>& station, const SurfaceMesh& wet, const EndPlane& 
 /// How a hull ends below one end of its waterline: raked, or bulging out as a sphere does that is sunk
 /// deeper than its centre.
 struct Stem {
-  double tip = 0.0;     ///< x of the waterline's end [m]
-  double length = 0.0;  ///< of the waterline [m]
+  double tip = 0.0;    ///< x of the waterline's end [m]
+  double reach = 0.0;  ///< how far from there stations lean [m]
   double slope = 0.0;  ///< dx/dz of the plane through the tip with the hull on one side; 0: upright
 };
 
@@ -126,19 +127,18 @@ Stem stemAt(const SurfaceMesh& wet, double side) {
     all = std::max(all, out);
     if (p.z() > kUpperPart * box.low.z()) upper = std::max(upper, out);
   }
-  const bool upright = std::abs(upper) < kUpright || upper < -kMostRake || upper > kMostBulge ||
-                       all > upper + kUpright;
-  return {side * tip, tip - otherTip, upright ? 0.0 : -side * upper};
+  const double reach = std::min(0.5 * (tip - otherTip), -kFanDepths * box.low.z());
+  const bool upright = std::abs(upper) < kUpright || upper > kMostBulge ||
+                       upper * box.low.z() > kMostFold * reach || all > upper + kUpright;
+  return {side * tip, reach, upright ? 0.0 : -side * upper};
 }
 
 /// Stations near one end are planes through one line above or below the hull, the last of them the
 /// stem's:   x = c + slope z w(c),   w from 0 at `start` to 1 at the tip.
 void fan(std::vector<double>& station, const SurfaceMesh& wet, const Stem& stem, double side) {
-  const Bounds box = bounds(wet);
-  const double reach = std::min(0.5 * stem.length, -kFanDepths * box.low.z());
-  const double start = stem.tip - side * reach, exact = kExact * box.diagonal();
+  const double start = stem.tip - side * stem.reach, exact = kExact * bounds(wet).diagonal();
   for (std::size_t i = 0; i < station.size(); ++i) {
-    const double perReach = side * stem.slope * wet.vertices[i].z() / reach;
+    const double perReach = side * stem.slope * wet.vertices[i].z() / stem.reach;
     const double c = (wet.vertices[i].x() + perReach * start) / (1 + perReach);
     if (side * (c - stem.tip) > -exact)
       station[i] = stem.tip;
