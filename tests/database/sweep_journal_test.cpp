@@ -21,7 +21,11 @@ class SweepJournalFile : public ::testing::Test {
     journal.append(4, numbers(4.0));
     journal.append(0, numbers(0.5));
   }
-  const std::string path = (fs::path(::testing::TempDir()) / "journal.sweep").string();
+  // Tests run beside one another: a file for each.
+  const std::string path =
+      (fs::path(::testing::TempDir()) /
+       (std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) + ".sweep"))
+          .string();
 };
 
 TEST_F(SweepJournalFile, GivesBackWhatWasAppended) {
