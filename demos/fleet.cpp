@@ -1,0 +1,85 @@
+// A thousand frigates on eight courses in one irregular sea, from one database: fleet DATABASE.h5 [OUT.csv]
+// Look for: the real-time factor that is printed; ships of one course differ only by where the waves meet
+// them; the same bits whether one thread evaluates their loads or two.
+#include <chrono>
+#include <cstring>
+#include <vector>
+
+#include "demos/DemoShip.h"
+#include "hydro/waves/Spectrum.h"
+
+using namespace cutwater;
+
+namespace {
+
+constexpr double kTick = 1.0 / 60.0, kSpeed = 6.0, kApart = 300.0, kDuration = 5.0;
+constexpr int kColumns = 40, kRows = 25;
+
+struct Outcome {
+  std::vector<btScalar> state;  // place and velocity of every ship
+  std::uint32_t faults = kStepOk;
+  double factor = 0.0, farthest = 0.0;
+};
+
+Outcome sail(const Coefficients& frigate, const SeaState& sea, unsigned threads, DemoTable* table) {
+  BulletWorld bullet(frigate.ship.gravity);
+  Seaway seaway(bullet.world, sea);
+  seaway.setThreads(threads);
+  btBoxShape hull(btVector3(60, 7, 5));
+  for (int i = 0; i < kColumns * kRows; ++i) {
+    ShipSettings settings;
+    settings.x = kApart * (i % kColumns);
+    settings.y = kApart * (i / kColumns);
+    settings.heading = i % 8 * kPi / 4.0;
+    settings.speed = kSpeed;
+    settings.mean = Mean::Filtered;
+    settings.keepSpeed = SpeedKeeper{.speed = kSpeed};
+    settings.keepCourse = CourseKeeper{.heading = settings.heading};
+    settings.shape = &hull;
+    seaway.addShip(frigate, settings).prepare(kTick);
+  }
+  const auto begun = std::chrono::steady_clock::now();
+  while (seaway.time() < kDuration - 0.5 * kTick) {
+    bullet.world.stepSimulation(kTick, 1, kTick);
+    if (table == nullptr) continue;
+    for (const std::size_t i : {0u, 8u, 500u, 999u}) {
+      const Ship& ship = *seaway.ships()[i];
+      table->row({double(i), seaway.time(), ship.position().x(), ship.position().y(),
+                  ship.motion()[Heave], ship.motion()[Roll] * 180.0 / kPi,
+                  ship.motion()[Pitch] * 180.0 / kPi, ship.velocity()[Surge]});
+    }
+  }
+  Outcome outcome;
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begun;
+  outcome.factor = kDuration / spent.count();
+  outcome.faults = seaway.faults();
+  for (const auto& ship : seaway.ships()) {
+    outcome.farthest = std::max(outcome.farthest, ship->motion().head<3>().norm());
+    for (const btVector3& v :
+         {ship->body().getWorldTransform().getOrigin(), ship->body().getLinearVelocity(),
+          ship->body().getAngularVelocity()}) {
+      outcome.state.insert(outcome.state.end(), {v.x(), v.y(), v.z()});
+    }
+  }
+  return outcome;
+}
+
+bool run(const Coefficients& frigate, DemoTable& table) {
+  const SeaState sea =
+      makeSeaState({.hs = 3.0, .tp = 9.0}, {.heading = 2.6, .components = 200, .ramp = 2.0});
+  const Outcome one = sail(frigate, sea, 1, &table), two = sail(frigate, sea, 2, nullptr);
+  std::printf("1000 ships, 200 waves: %.2f times real time on one thread, %.2f on two\n",
+              one.factor, two.factor);
+  const bool same =
+      one.state.size() == two.state.size() &&
+      std::memcmp(one.state.data(), two.state.data(), one.state.size() * sizeof(btScalar)) == 0;
+  std::printf("the same bits on both: %s\n", same ? "yes" : "NO");
+  return isBelow("farthest from a mean course [m]", one.farthest, 10.0) && same &&
+         one.faults == kStepOk && two.faults == kStepOk;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return demoMain(argc, argv, "fleet", "ship,t,x,y,heave,roll_deg,pitch_deg,speed", run);
+}
