@@ -21,6 +21,7 @@ CUTWATER_INLINE Four loadFour(const double* from) {
   __builtin_memcpy(&x, from, sizeof(x));
   return x;
 }
+CUTWATER_INLINE double sumOf(Four x) { return (x[0] + x[2]) + (x[1] + x[3]); }
 CUTWATER_INLINE void storeFour(double* to, Four x) { __builtin_memcpy(to, &x, sizeof(x)); }
 CUTWATER_INLINE Four squareRoot(Four x) {
   return Four{__builtin_sqrt(x[0]), __builtin_sqrt(x[1]), __builtin_sqrt(x[2]),

@@ -1,6 +1,6 @@
-#include <cmath>
-
 #include <fmt/format.h>
+
+#include <cmath>
 
 #include "demos/report_figures/Report.h"
 #include "hydro/memory/RetardationMatrix.h"

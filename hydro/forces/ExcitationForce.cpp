@@ -5,8 +5,8 @@
 #include <string>
 
 #include "hydro/Errors.h"
+#include "hydro/VectorMath.h"
 #include "hydro/forces/WaveExcitation.h"
-#include "hydro/waves/VectorSine.h"
 
 namespace cutwater {
 
@@ -24,8 +24,7 @@ CUTWATER_VECTOR void sumPhasors(const double* block, std::size_t count, double t
   for (std::size_t i = 0; i < count; ++i, block += kBlock) {
     const Four phase = loadFour(block) * t + loadFour(block + 4) - loadFour(block + 8) * x -
                        loadFour(block + 12) * y;
-    Four s, c;
-    sineCosine(phase, s, c);
+    const auto [s, c] = sineCosine(phase);
     const double* re = block + 16;
     for (std::size_t j = 0; j < 6; ++j) {
       total[j] += c * loadFour(re + 4 * j) - s * loadFour(re + 4 * (6 + j));

@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 
+#include "hydro/VectorMath.h"
 #include "hydro/forces/ExcitationTable.h"
-#include "hydro/waves/VectorSine.h"
 
 namespace cutwater {
 
@@ -20,7 +20,7 @@ CUTWATER_VECTOR void addRow(double* sum, const double* row, double weight,
                             std::size_t count) noexcept {
   for (std::size_t i = 0; i < count; i += 4) {
     const Four v = loadFour(sum + i) + weight * loadFour(row + i);
-    std::memcpy(sum + i, &v, sizeof v);
+    storeFour(sum + i, v);
   }
 }
 

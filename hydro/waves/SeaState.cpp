@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
-#include "hydro/waves/VectorSine.h"
+#include "hydro/VectorMath.h"
 
 namespace cutwater {
 
@@ -23,11 +23,9 @@ CUTWATER_VECTOR double sumOfWaves(const double* block, std::size_t count, double
                                   double y) noexcept {
   Four sum = {};
   for (std::size_t i = 0; i < count; ++i, block += kBlock) {
-    Four s, c;
-    sineCosine(loadFour(block) * t + loadFour(block + 4) - loadFour(block + 8) * x -
-                   loadFour(block + 12) * y,
-               s, c);
-    sum += loadFour(block + 16) * c;
+    const Four phase = loadFour(block) * t + loadFour(block + 4) - loadFour(block + 8) * x -
+                       loadFour(block + 12) * y;
+    sum += loadFour(block + 16) * sineCosine(phase).cosine;
   }
   return sumOf(sum);
 }

@@ -42,8 +42,10 @@ TEST(WorldFrameIdentity, AxesAndUnitsDoNotChangeThePhysics) {
   metric.run(640);
   for (const WorldFrame& frame :
        {WorldFrame{.up = WorldFrame::Up::Y}, WorldFrame{.metresPerUnit = 0.01},
-        WorldFrame{.up = WorldFrame::Up::Y, .metresPerUnit = 2.0, .kilogramsPerUnit = 1000.0,
-                   .seaLevel = 30.0}}) {
+        WorldFrame{.up = WorldFrame::Up::Y,
+        .metresPerUnit = 2.0,
+        .kilogramsPerUnit = 1000.0,
+        .seaLevel = 30.0}}) {
     Measured other(frame);
     other.run(640);
     EXPECT_EQ(other.seaway.faults(), kStepOk);
