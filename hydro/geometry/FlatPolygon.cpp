@@ -11,7 +11,7 @@ constexpr double kFromOutline =
     0.6;  // of the panel size: no vertex inside is nearer to the outline
 constexpr double kSquareEnough = 0.6;  // least sine of a corner of a quadrilateral
 constexpr double kSame = 1e-9;         // of qualities
-constexpr int kPasses = 100;
+constexpr int kEarPasses = 100;
 
 class FlatTriangles {
  public:
@@ -51,7 +51,7 @@ class FlatTriangles {
   /// the worse stays.
   void improve() {
     bool changed = true;
-    for (int pass = 0; changed && pass < kPasses; ++pass) {
+    for (int pass = 0; changed && pass < kEarPasses; ++pass) {
       changed = false;
       for (const auto& [edge, pair] : pairs())
         changed =
