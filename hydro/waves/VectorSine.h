@@ -27,13 +27,15 @@ CUTWATER_INLINE void sineCosine(const Four& x, Four& sine, Four& cosine) noexcep
   Mask quadrant;
   std::memcpy(&quadrant, &shifted, sizeof quadrant);
   const Four r = ((x - n * kHigh) - n * kMiddle) - n * kLow, rr = r * r;
-  Four s = rr * 1.60590438368216145994e-10 - 2.50521083854417187751e-8;
+  Four s = rr * -7.64716373181981647590e-13 + 1.60590438368216145994e-10;
+  s = rr * s - 2.50521083854417187751e-8;
   s = rr * s + 2.75573192239858906526e-6;
   s = rr * s - 1.98412698412698412698e-4;
   s = rr * s + 8.33333333333333333333e-3;
   s = rr * s - 1.66666666666666666667e-1;
   s = r + r * rr * s;
-  Four c = rr * -1.14707455977297247139e-11 + 2.08767569878680989792e-9;
+  Four c = rr * 4.77947733238738529744e-14 - 1.14707455977297247139e-11;
+  c = rr * c + 2.08767569878680989792e-9;
   c = rr * c - 2.75573192239858906526e-7;
   c = rr * c + 2.48015873015873015873e-5;
   c = rr * c - 1.38888888888888888889e-3;
