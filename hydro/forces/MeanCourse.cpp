@@ -22,9 +22,8 @@ void MeanCourse::reset(double x, double y, double heading, double speed, double 
 
 void MeanCourse::Follower::follow(double rate, double step, double error,
                                   double velocitySeen) noexcept {
-  acceleration +=
-      step * rate *
-      (rate * rate * error + 3.0 * rate * (velocitySeen - velocity) - 3.0 * acceleration);
+  const double pull = rate * rate * error + 3.0 * rate * (velocitySeen - velocity);
+  acceleration = (acceleration + step * rate * pull) / (1.0 + 3.0 * step * rate);
   velocity += step * acceleration;
   place += step * velocity;
 }

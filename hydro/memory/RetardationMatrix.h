@@ -22,7 +22,7 @@ struct SpeedKernels {
 ///     K^UU = (∫_τ^∞ D ds) Tᵀ                                                   [M03] (38), (40)
 ///     b(U) = U(A^∞Tᵀ − ∂A^∞),   c(U) = −U² ∂A(0) Tᵀ,   ∂A(0) = ∂A^∞ + ∫₀^∞ D dτ  [M03] (41)-(45)
 /// so that −ω²A^∞ + iω(b + K̂(ω)) + c = −ω²A(U, ω) + iωB(U, ω) at every ω, for both forms of the
-/// forward-speed terms (Tuck's: ∂B = TB, ∂A = TA). D equals the report's −(2/π)∫[∂A − ∂A^∞] cos ωτ dω, as
+/// forward-speed terms (Tuck's: ∂B = TB, ∂A = TA). D equals the report's (2/π)∫[∂A − ∂A^∞] cos ωτ dω, as
 /// what is causal has both; taken from ∂B it begins at 0 and its tail dies one power faster.
 /// ∂A^∞ is that which belongs to ∂A(ω) and ∂B(ω): ∂A^∞ = ∂A(ω) + (1/ω)∫₀^∞ ∂K sin ωτ dτ, averaged over the
 /// middle of the band (ConsistentLimit.h).

@@ -1,13 +1,17 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <random>
 
 #include "hydro/bem/BuildCoefficients.h"
 #include "hydro/database/ForwardSpeed.h"
+#include "hydro/forces/ExcitationForce.h"
+#include "hydro/forces/WaveExcitation.h"
 #include "hydro/geometry/Shapes.h"
 #include "hydro/memory/ConsistentLimit.h"
 #include "hydro/memory/RadiationModel.h"
+#include "hydro/waves/Spectrum.h"
 #include "tests/support/Results.h"
 
 // What the time domain does at one frequency is what the database says of it, at every speed; and the
@@ -182,6 +186,181 @@ TEST(TimeDomainVerification, AddedMassXFromDampingXIsNearerToFinePanels) {
       EXPECT_LT(miss.fromDampingX(j, k), miss.solved(j, k)) << entry;
     }
   }
+}
+
+/// Velocities of a ship that rides an irregular sea: 60 waves of 0.3 to 1.8 rad/s as she meets them, of energy
+/// as ω⁻⁵ behind a peak at 0.6; rotations as the waves' slope.
+class RidingShip {
+ public:
+  explicit RidingShip(double U) {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> phase(0.0, 2.0 * kPi);
+    for (int i = 0; i < 60; ++i) {
+      const double w = 0.3 + 0.025 * i + 0.002 * phase(random);
+      const double energy = std::pow(w, -5.0) * std::exp(-1.25 * std::pow(0.6 / w, 4.0));
+      Wave wave{w + w * w / 9.81 * U * 0.9, std::sqrt(0.01 * energy), w * w / 9.81, {}};
+      for (double& one : wave.phase) one = phase(random);
+      waves_.push_back(wave);
+    }
+  }
+  /// Mean over the tick from t − h to t.
+  Vec6 velocity(double t, double h) const {
+    Vec6 v = Vec6::Zero();
+    for (const Wave& wave : waves_)
+      for (int m = 0; m < 6; ++m) {
+        const auto place = [&](double at) {
+          return std::sin(wave.omegaE * at + wave.phase[static_cast<std::size_t>(m)]);
+        };
+        v[m] += wave.amplitude * (m < 3 ? 1.0 : wave.slope) * (place(t) - place(t - h)) / h;
+      }
+    return v;
+  }
+
+ private:
+  struct Wave {
+    double omegaE, amplitude, slope;
+    std::array<double, 6> phase;
+  };
+  std::vector<Wave> waves_;
+};
+
+/// r.m.s. of the two memories' difference over r.m.s. of the force, worst mode.
+double differenceOfMemories(const RadiationModel& fast, const RadiationModel& oracle, double U,
+                            double tick) {
+  const auto a = fast.makeMemory(tick), b = oracle.makeMemory(tick);
+  const RidingShip ship(U);
+  Vec6 error = Vec6::Zero(), size = error;
+  for (int n = 0; n * tick < 300.0; ++n) {
+    const Vec6 v = ship.velocity(n * tick, tick);
+    const Vec6 x = a->advance(v, U), y = b->advance(v, U);
+    if (n * tick < 100.0) continue;  // both have forgotten the start
+    error += (x - y).cwiseAbs2();
+    size += y.cwiseAbs2();
+  }
+  return error.cwiseQuotient(size).cwiseSqrt().maxCoeff();
+}
+
+// 0.2 % is the acceptance line of the fit.
+TEST(TimeDomainIdentity, SumOfExponentialsIsTheConvolutionInAnIrregularSea) {
+  for (const int panels : {224, 433, 1040}) {
+    if (panels > 300 && !fullSize()) continue;
+    const Coefficients c = readyForUse(solvedFrigate(panels));
+    for (const auto form : {ForwardSpeedForm::Report, ForwardSpeedForm::Tuck}) {
+      const RadiationModel fast(c, MemoryModel::Exponential, form),
+          oracle(c, MemoryModel::Convolution, form);
+      for (const double U : {0.0, 10.0, 15.4}) {
+        const double worst = differenceOfMemories(fast, oracle, U, 0.05);
+        recordResult(
+            "memory under way",
+            "frigate " + std::to_string(panels) + " a side, " +
+                kForwardSpeedWords[static_cast<std::size_t>(form)] + " form, " +
+                std::to_string(U).substr(0, 4) +
+                " m/s, irregular sea: force of the exponential sum, worst mode, % of r.m.s. missed",
+            "convolution", 100.0 * worst, "<= 0.2");
+        EXPECT_LT(worst, 0.002) << panels << ' ' << U;
+      }
+    }
+  }
+}
+
+/// Least eigenvalue of the Hermitian part of K̂⁰, modes scaled by √ of the largest B_jj, over ω to far beyond the data.
+double leastDamping(const ExponentialSum& sum, const Coefficients& c) {
+  Vec6 scale = Vec6::Zero();
+  for (const Mat6& B : c.damping) scale = scale.cwiseMax(B.diagonal());
+  scale = scale.cwiseSqrt().cwiseInverse();
+  double least = 1.0;
+  for (double omega = 0.01; omega < 100.0; omega *= 1.01) {
+    Mat6 B = scale.asDiagonal() * sum.transform(omega, 0.0).real() * scale.asDiagonal();
+    B = (0.5 * (B + B.transpose())).eval();
+    least = std::min(least, Eigen::SelfAdjointEigenSolver<Mat6>(B).eigenvalues().minCoeff());
+  }
+  return least;
+}
+
+// Whether a ship at rest can gain energy from the fit: by no more than this part of the damping of her modes at their
+// peaks. 1e-3: the fit's error in its bands is 1 to 2e-3 of B, near the peaks; and B itself, which has no less.
+TEST(TimeDomainIdentity, MemoryAtRestTakesEnergyAtEveryFrequency) {
+  const Coefficients c = readyForUse(solvedFrigate(224));
+  const RadiationModel model(c);
+  const double least = leastDamping(*model.sum(), c);
+  recordResult("memory under way",
+               "frigate 224 a side, least eigenvalue of the scaled damping, exponential sum",
+               ">= 0", least, ">= -0.001");
+  EXPECT_GT(least, -1e-3);
+}
+
+/// F_I + F_D of the table against direct evaluation at random conditions, of each mode's largest.
+double errorOfTable(const Coefficients& c, const SeaState& sea, ForwardSpeedForm form) {
+  const ExcitationTable table(c, sea, form);
+  const WaveExcitation direct(c, form);
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> course(0.0, 2.0 * kPi), speed(0.0, 15.4);
+  Eigen::Array<double, 6, 1> worst = Eigen::Array<double, 6, 1>::Zero(), largest = worst;
+  for (int n = 0; n < 300; ++n) {
+    const std::size_t i = random() % sea.components().size();
+    const double psi = course(random), U = speed(random);
+    const auto found = table.at(i, psi, U);
+    const CVec6 exact =
+        direct.at(sea.components()[i].omega, sea.components()[i].heading + psi, U).total();
+    worst = worst.max((found.froudeKrylov + found.diffraction - exact).array().abs());
+    largest = largest.max(exact.array().abs());
+  }
+  return (worst / largest).maxCoeff();
+}
+
+// 1 %, the table's acceptance line, up to 15.4 m/s on any course, overtaken waves among them.
+TEST(TimeDomainIdentity, TableOfWaveForcesIsDirectEvaluation) {
+  for (const int panels : {224, 433}) {
+    if (panels > 300 && !fullSize()) continue;
+    const Coefficients c = readyForUse(solvedFrigate(panels));
+    const SeaState sea =
+        makeSeaState(Spectrum{SpectrumShape::Jonswap, 4.0, 10.0, 3.3, kStandardGravity}, {});
+    for (const auto form : {ForwardSpeedForm::Report, ForwardSpeedForm::Tuck}) {
+      const double worst = errorOfTable(c, sea, form);
+      recordResult("memory under way",
+                   "frigate " + std::to_string(panels) + " a side, " +
+                       kForwardSpeedWords[static_cast<std::size_t>(form)] +
+                       " form: wave forces from the table, any course, 0 to 15.4 m/s, % of the "
+                       "mode's largest",
+                   "direct evaluation", 100.0 * worst, "<= 1");
+      EXPECT_LT(worst, 0.01) << panels;
+    }
+  }
+}
+
+// 1°/s at 60 ticks a second, 200 waves, each renewed every 1.7 s: amplitudes are those of a heading 0.8° ago in the
+// mean, of 1.7° ago at most, in which the shortest waves turn by half a radian at her ends. That is the cost of
+// renewing two a tick; how much force it is, is stated here for all six modes, in a sea of 4 m with all waves up to 2.5
+// rad/s: a jump of 3.1 % of the mode's largest force, as much as a wave of 2 rad/s changes in a tick, a lag of 15 %.
+TEST(TimeDomainIdentity, AmplitudesFollowATurningShip) {
+  const Coefficients c = readyForUse(solvedFrigate(224));
+  const SeaState sea =
+      makeSeaState(Spectrum{SpectrumShape::Jonswap, 4.0, 10.0, 3.3, kStandardGravity}, {});
+  const auto table = std::make_shared<ExcitationTable>(c, sea);
+  ExcitationForce turning(table, 0.0, 10.0), smooth(table, 0.0, 10.0);
+  Vec6 before = Vec6::Zero(), largest = before, jump = before, lagged = before;
+  ShipMotion motion;
+  motion.speed = 10.0;
+  for (int n = 0; n < 9000; ++n) {
+    motion.time = 100.0 + n * kTick;
+    motion.meanHeading = n * kTick * kPi / 180.0;
+    smooth.renew(motion.meanHeading, 10.0);
+    const Vec6 exact = smooth.at(motion), lag = turning.at(motion) - exact;
+    if (n > 0) jump = jump.cwiseMax((lag - before).cwiseAbs());
+    lagged = lagged.cwiseMax(lag.cwiseAbs());
+    largest = largest.cwiseMax(exact.cwiseAbs());
+    before = lag;
+  }
+  const double worstJump = jump.cwiseQuotient(largest).maxCoeff();
+  const double worstLag = lagged.cwiseQuotient(largest).maxCoeff();
+  recordResult("memory under way",
+               "frigate, turning 1 deg/s: jump of a wave force in a tick, % of the largest",
+               "amplitudes of the moment", 100.0 * worstJump, "<= 4");
+  recordResult("memory under way",
+               "frigate, turning 1 deg/s: lag of a wave force, % of the largest",
+               "amplitudes of the moment", 100.0 * worstLag, "<= 20");
+  EXPECT_LT(worstJump, 0.04);
+  EXPECT_LT(worstLag, 0.2);
 }
 
 }  // namespace

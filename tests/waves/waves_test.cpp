@@ -55,6 +55,53 @@ TEST(SeaStateClosedForm, HeadSeaComesFromTheBowAndNinetyDegreesFromPort) {
   EXPECT_NEAR(beam.elevation(step, 0.0, -run), 1.0, 1e-12);
 }
 
+/// Five components, so that the last block of four is not full, and none is alike.
+SeaState anySea(double ramp = 0.0) {
+  std::vector<WaveComponent> waves;
+  for (int i = 0; i < 5; ++i) waves.push_back({0.5 + 0.3 * i, 1.0 / (1 + i), 0.7 * i, 1.3 * i});
+  return {waves, kG, ramp};
+}
+
+TEST(SeaStateIdentity, ElevationIsTheSumOfItsWaves) {
+  const SeaState sea = anySea();
+  for (const double t : {0.0, 7.3, 4000.0}) {
+    double sum = 0.0;
+    for (const WaveComponent& w : sea.components()) {
+      const double along = 31.0 * std::cos(w.heading) + 17.0 * std::sin(w.heading);
+      sum += w.amplitude * std::cos(w.omega * t - w.omega * w.omega / kG * along + w.phase);
+    }
+    EXPECT_NEAR(sea.elevation(t, 31.0, -17.0), sum, 1e-11);  // round-off of phases up to 7000
+  }
+  EXPECT_EQ(SeaState().elevation(1.0, 2.0, 3.0), 0.0);
+  EXPECT_EQ(SeaState().velocity(1.0, Vec3(1.0, 2.0, -3.0)), Vec3::Zero().eval());
+}
+
+// Central differences with h = 1e-4: error (k h)²/6 or (ω h)²/6 of values of order 1, round-off 1e-16/h.
+TEST(SeaStateIdentity, WaterAtTheSurfaceRisesWithIt) {
+  const SeaState sea = anySea();
+  const double h = 1e-4;
+  for (const double t : {0.5, 3.1, 50.0}) {
+    const double rise =
+        (sea.elevation(t + h, 4.0, -9.0) - sea.elevation(t - h, 4.0, -9.0)) / (2 * h);
+    EXPECT_NEAR(sea.velocity(t, Vec3(4.0, -9.0, 0.0)).z(), rise, 1e-8);
+  }
+  EXPECT_EQ(sea.velocity(1.0, Vec3(4.0, -9.0, 2.0)), sea.velocity(1.0, Vec3(4.0, -9.0, 0.0)));
+}
+
+TEST(SeaStateIdentity, WaterTurnsNowhereAndKeepsItsVolume) {
+  const SeaState sea = anySea();
+  const Vec3 place(4.0, -9.0, -3.0);
+  const double h = 1e-4, t = 2.2;
+  Eigen::Matrix3d slope;  // ∂v_i/∂x_j
+  for (int j = 0; j < 3; ++j) {
+    const Vec3 step = h * Vec3::Unit(j);
+    slope.col(j) = (sea.velocity(t, place + step) - sea.velocity(t, place - step)) / (2 * h);
+  }
+  EXPECT_LT((slope - slope.transpose()).norm(), 1e-8);
+  EXPECT_NEAR(slope.trace(), 0.0, 1e-8);
+  EXPECT_GT(slope.norm(), 0.1);
+}
+
 TEST(SeaState, GrowsFromRestOverTheRamp) {
   const SeaState sea({{1.0, 1.0, 0.0, 0.0}}, kG, 10.0);
   EXPECT_EQ(sea.ramp(0.0), 0.0);

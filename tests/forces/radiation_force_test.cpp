@@ -1,0 +1,82 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hydro/forces/RadiationForce.h"
+#include "tests/memory/CausalShip.h"
+
+namespace cutwater {
+namespace {
+
+std::shared_ptr<const RadiationModel> modelOf(ForwardSpeedForm form) {
+  return std::make_shared<RadiationModel>(test::CausalShip().coefficients(0.2, 20.0),
+                                          MemoryModel::Exponential, form);
+}
+
+ShipMotion anyMotion() {
+  ShipMotion motion;
+  motion.speed = 6.0;
+  motion.turnRate = 0.04;
+  motion.eta << 0.3, -0.2, 0.5, 0.1, -0.15, 0.07;
+  motion.etaDot << 0.1, 0.4, -0.3, 0.2, 0.25, -0.1;
+  motion.etaDotNow << 0.12, 0.41, -0.28, 0.22, 0.23, -0.12;
+  return motion;
+}
+
+TEST(RadiationForceIdentity, IsTheMemorysForceLessTheDampingAndStiffnessOfSpeed) {
+  for (const auto form : {ForwardSpeedForm::Report, ForwardSpeedForm::Tuck}) {
+    const auto model = modelOf(form);
+    RadiationForce force(model, 0.05);
+    const auto memory = model->makeMemory(0.05);
+    ShipMotion motion = anyMotion();
+    for (int n = 0; n < 20; ++n) {
+      motion.etaDot *= -0.9;
+      const Vec6 found = force.at(motion);
+      const Vec6 expected = memory->advance(motion.etaDot, 6.0) -
+                            6.0 * (model->retardation().speedDamping() * motion.etaDotNow) -
+                            36.0 * (model->retardation().speedStiffness() * motion.eta);
+      EXPECT_LT((found - expected).norm(), 1e-13 * expected.norm());
+    }
+  }
+}
+
+// On a free course the terms of speed are those of a ship held at u = U + η̇₁, and a surge force beside them
+// that makes their work on her oscillation and her turning, and its own on her way u, zero. Round-off.
+TEST(RadiationForceIdentity, WorkOfSpeedTermsOnAFreeShipComesOutOfHerWay) {
+  const auto model = modelOf(ForwardSpeedForm::Tuck);
+  RadiationForce force(model, 0.05, true), held(model, 0.05), resting(model, 0.05);
+  ShipMotion motion = anyMotion(), at = motion, rest = motion;
+  const double u = motion.speed + motion.etaDotNow[Surge];
+  at.speed = u;
+  rest.speed = 0.0;
+  const Vec6 found = force.at(motion), kept = held.at(at), ofSpeed = kept - resting.at(rest);
+  const Vec6 reaction = found - kept;
+  Vec6 w = motion.etaDotNow;
+  w[Yaw] += motion.turnRate;
+  const double work = ofSpeed.dot(w);
+  EXPECT_LT(reaction.tail<5>().norm(), 1e-13 * found.norm());
+  EXPECT_NEAR(work + reaction[Surge] * u, 0.0, 1e-13 * ofSpeed.norm() * w.norm());
+  EXPECT_GT(std::abs(work), 1e-3 * ofSpeed.norm() * w.norm());  // it was not nothing
+}
+
+// The report's form damps leeway with the wrong sign going astern: a free ship has none of it there.
+TEST(RadiationForceIdentity, GoingAsternTheReportsFormHasNoTermsOfSpeedOnAFreeShip) {
+  ShipMotion motion = anyMotion(), rest = motion;
+  motion.speed = -6.0;
+  rest.speed = 0.0;
+  const auto model = modelOf(ForwardSpeedForm::Report);
+  RadiationForce astern(model, 0.05, true), resting(model, 0.05);
+  const Vec6 expected = resting.at(rest);
+  EXPECT_LT((astern.at(motion) - expected).norm(), 1e-13 * expected.norm());
+}
+
+// On a steady straight course b of Tuck's form does no work at all, c none over a period.
+TEST(RadiationForceIdentity, TucksDampingOfSpeedIsGyroscopic) {
+  const auto model = modelOf(ForwardSpeedForm::Tuck);
+  const Vec6 v = anyMotion().etaDotNow;
+  const Mat6& b = model->retardation().speedDamping();
+  EXPECT_NEAR(v.dot(b * v), 0.0, 1e-13 * b.norm() * v.squaredNorm());
+}
+
+}  // namespace
+}  // namespace cutwater
