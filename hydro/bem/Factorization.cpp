@@ -14,6 +14,7 @@
 #include "hydro/Errors.h"
 #include "hydro/Vector.h"
 #include "hydro/bem/LuByHalves.h"
+#include "hydro/bem/TransposedProduct.h"
 
 namespace cutwater {
 namespace {
@@ -94,6 +95,8 @@ template <typename Scalar>
 Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> product(
     const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& A, bool transposed,
     const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& B) {
+  if constexpr (std::is_same_v<Scalar, Complex>)
+    if (transposed) return transposedProduct(A, B);
   Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> C(transposed ? A.cols() : A.rows(),
                                                           B.cols());
   if (C.size() > 0 && B.rows() > 0)

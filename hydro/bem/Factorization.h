@@ -48,7 +48,7 @@ class Factorization {
   double norm_ = 0.0;  // greatest row sum
 };
 
-/// op(A)·B by BLAS, op the plain transpose if `transposed`.
+/// op(A)·B, op the plain transpose if `transposed`: by BLAS, or TransposedProduct.h if complex.
 template <typename Scalar>
 Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> product(
     const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& A, bool transposed,

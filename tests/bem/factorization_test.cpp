@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "hydro/Conventions.h"
+#include "hydro/bem/LuByHalves.h"
+#include "hydro/bem/TransposedProduct.h"
 
 namespace cutwater::test {
 namespace {
@@ -42,6 +44,43 @@ TEST(Factorization, RefusesAMatrixThatIsNotFinite) {
   Eigen::MatrixXcd m = hilbert(3);
   m(1, 2) = std::nan("");
   EXPECT_ANY_THROW(Factorization<Complex>{m});
+}
+
+// P M = L U to round-off of single precision, 6e-8, with sizes that are and are not halved.
+TEST(LuByHalvesIdentity, FactorsMultiplyToTheMatrixWithItsRowsExchanged) {
+  for (const int n : {1, 63, 65, 300}) {
+    const Eigen::MatrixXcf m = Eigen::MatrixXcf::Random(n, n);
+    Eigen::MatrixXcf lu = m, exchanged = m;
+    std::vector<int> pivots(static_cast<std::size_t>(n));
+    ASSERT_EQ(luByHalves(n, lu.data(), pivots.data()), 0);
+    for (int i = 0; i < n; ++i)
+      exchanged.row(i).swap(exchanged.row(pivots[static_cast<std::size_t>(i)] - 1));
+    const Eigen::MatrixXcf upper = lu.triangularView<Eigen::Upper>();
+    const Eigen::MatrixXcf product = lu.triangularView<Eigen::UnitLower>() * upper;
+    EXPECT_LT((product - exchanged).norm(), 1e-6F * m.norm() * std::sqrt(static_cast<float>(n)));
+    EXPECT_LE(lu.triangularView<Eigen::StrictlyLower>().toDenseMatrix().cwiseAbs().maxCoeff(),
+              1.5F);  // |re| and |im| choose the pivot
+  }
+}
+
+TEST(LuByHalves, NamesTheFirstZeroPivot) {
+  for (const int zero : {10, 150}) {
+    Eigen::MatrixXcf m = Eigen::MatrixXcf::Identity(200, 200);
+    m(zero, zero) = 0.0F;
+    std::vector<int> pivots(200);
+    EXPECT_EQ(luByHalves(200, m.data(), pivots.data()), zero + 1);
+  }
+}
+
+TEST(TransposedProductIdentity, OfEveryNumberOfColumnsAsEigens) {
+  for (const Eigen::Index n : {1, 7, 301})
+    for (const Eigen::Index columns : {0, 1, 3, 6, 11}) {
+      const Eigen::MatrixXcd A = Eigen::MatrixXcd::Random(n, n / 2 + 1);
+      const Eigen::MatrixXcd B = Eigen::MatrixXcd::Random(n, columns);
+      const Eigen::MatrixXcd C = transposedProduct(A, B);
+      ASSERT_EQ(C.cols(), columns);
+      EXPECT_LE((C - A.transpose() * B).norm(), 1e-14 * A.norm() * B.norm());
+    }
 }
 
 }  // namespace
