@@ -1,6 +1,7 @@
 // A thousand frigates on eight courses in one irregular sea, from one database: fleet DATABASE.h5 [OUT.csv]
 // Look for: the real-time factor that is printed; ships of one course differ only by where the waves meet
 // them; the same bits whether one thread evaluates their loads or two.
+#include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <vector>

@@ -1,6 +1,6 @@
 // A ship drifts at 0.3 m/s sideways onto the two fenders of a quay: quay DATABASE.h5 [OUT.csv]
 // Look for: the blow is that of (m + A22)v, a third more than the ship's own mv, and what the fenders take in
-// all is her momentum with the water's; she comes to rest and energy never rises.
+// all is her momentum with the water's; she drifts off at a tenth of her speed and energy never rises.
 #include <algorithm>
 
 #include "demos/DemoShip.h"

@@ -1,6 +1,9 @@
 // A free ship turns by 90 degrees, in calm water and in a head sea, then coasts: turning DATABASE.h5 [OUT.csv]
 // Look for: she slows and heels in the turn and settles on the new heading and speed; no force jumps from tick
-// to tick. Left alone (run 2) she yaws away, as a hull without rudder does, and her energy only falls.
+// to tick. Left alone (run 2) she yaws away, as a hull without rudder does, and her energy only falls, shown up
+// to 30 degrees off her mean course: beyond, linear theory holds no longer.
+#include <algorithm>
+
 #include "demos/DemoShip.h"
 #include "hydro/waves/Spectrum.h"
 
