@@ -38,7 +38,7 @@ ConsistentLimit consistentLimit(const Coefficients& coefficients);
 /// solver's to ∂A(∞) − (1/ω)∫∂K sin ωτ dτ of ∂B, which there is the better value: the frigate's 18 entries
 /// with 224, 433 and 1040 panels a side against those with 2000 miss, from 0.8 Ω' to Ω', 4.8 % of ∂A_33
 /// by the solver and 3.6 % by ∂B, 19 and 13 % of ∂A_35, 5.2 and 3.8 % of ∂A_55 (433 panels), and
-/// are nearer by it in 12, 14 and 14. Of A and B the like is not true (2, 3 and 7 of 12).
+/// are nearer by it in 12, 14 and 14. Of A the like is not true (2, 3 and 7 of 12).
 Coefficients withConsistentLimit(Coefficients coefficients);
 
 /// What a solver gave, made ready for readers and the time domain: A and B symmetrised (Timman & Newman

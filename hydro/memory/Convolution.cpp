@@ -54,17 +54,13 @@ ConvolutionWeights::ConvolutionWeights(const RetardationMatrix& retardation, dou
       ring_((length_ + kLanes - 1) / kLanes * kLanes) {
   std::vector<SpeedKernels> cells;
   cells.reserve(length_);
-  std::array<Mat6, 3> size{Mat6::Zero(), Mat6::Zero(), Mat6::Zero()}, sum = size;
+  std::array<Mat6, 3> size{Mat6::Zero(), Mat6::Zero(), Mat6::Zero()};
   for (std::size_t i = 0; i < length_; ++i) {
     const double begin = static_cast<double>(i) * step_;
-    const SpeedKernels cell = retardation.integrals(begin, begin + step_);
-    cells.push_back(cell);
-    for (std::size_t part = 0; part < 3; ++part) {
-      size[part] = size[part].cwiseMax(partOf(cell, part).cwiseAbs());
-      sum[part] += partOf(cell, part);
-    }
+    cells.push_back(retardation.integrals(begin, begin + step_));
+    for (std::size_t part = 0; part < 3; ++part)
+      size[part] = size[part].cwiseMax(partOf(cells.back(), part).cwiseAbs());
   }
-  const Mat6 lineTotal = retardation.linearTotal();
   for (int n = 0; n < 36; ++n) {
     const int j = n / 6, k = n % 6;
     const Pair pair{j,
@@ -73,16 +69,20 @@ ConvolutionWeights::ConvolutionWeights(const RetardationMatrix& retardation, dou
                     {size[0](j, k) > 0.0, size[1](j, k) > 0.0, size[2](j, k) > 0.0}};
     if (pair.holds[0] || pair.holds[1] || pair.holds[2]) pairs_.push_back(pair);
   }
+  fill(cells, retardation.linearTotal());
+}
+
+void ConvolutionWeights::fill(const std::vector<SpeedKernels>& cells, const Mat6& linearTotal) {
   for (auto& part : weights_) part.assign(pairs_.size() * ring_, 0.0);
-  for (const Pair& pair : pairs_) {
+  const Mat6 total[2] = {Mat6::Zero(), linearTotal};
+  for (const Pair& pair : pairs_)
     for (std::size_t part = 0; part < 3; ++part) {
       double* run = weights_[part].data() + pair.offset;
-      for (std::size_t i = 0; i < length_; ++i) run[i] = -partOf(cells[i], part)(pair.j, pair.k);
-      if (pair.holds[part] && part == 0) balance(run, sum[0](pair.j, pair.k));
-      if (pair.holds[part] && part == 1)
-        balance(run, sum[1](pair.j, pair.k) - lineTotal(pair.j, pair.k));
+      double sum = 0.0;
+      for (std::size_t i = 0; i < length_; ++i)
+        sum += run[i] = -partOf(cells[i], part)(pair.j, pair.k);
+      if (pair.holds[part] && part < 2) balance(run, -sum - total[part](pair.j, pair.k));
     }
-  }
 }
 
 void ConvolutionWeights::balance(double* run, double missing) const {

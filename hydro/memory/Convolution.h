@@ -8,6 +8,7 @@
 namespace cutwater {
 
 class RetardationMatrix;
+struct SpeedKernels;
 
 /// Weights K̄_i of a convolution, shared by all ships of a kind. Immutable.
 ///
@@ -39,6 +40,7 @@ class ConvolutionWeights {
   }
 
  private:
+  void fill(const std::vector<SpeedKernels>& cells, const Mat6& linearTotal);
   void balance(double* run, double missing) const;
 
   double step_;

@@ -8,6 +8,7 @@
 
 #include "hydro/Errors.h"
 #include "hydro/database/Coefficients.h"
+#include "hydro/forces/HullLift.h"
 
 namespace cutwater {
 namespace {
@@ -138,19 +139,35 @@ TEST(KeepersClosedForm, StiffnessOutweighsTheMunkMoment) {
   EXPECT_NEAR(k.at(motion)[Yaw] + munk, -kYawing * 0.01 * 0.01, 1e-3);
 }
 
-TEST(Keepers, MomentAndSideForceKeepTheirLimits) {
+TEST(Keepers, MomentKeepsItsLimit) {
   Keepers k = keepers();
   k.hold(CourseKeeper{3.0, 0.0, 0.1});
   ShipMotion motion;
   motion.speed = 10.0;
-  motion.etaDotNow[Sway] = 20.0;
-  const double weight = kMass * keptShip().gravity;
   const Vec6 force = k.at(motion);
-  EXPECT_DOUBLE_EQ(force[Yaw], 0.02 * weight * kLength);
-  EXPECT_DOUBLE_EQ(force[Sway], -0.05 * weight);
+  EXPECT_DOUBLE_EQ(force[Yaw], 0.02 * kMass * keptShip().gravity * kLength);
+  EXPECT_EQ(force[Sway], 0.0);
+}
+
+// Y = −e|u|v and N = −d|u|r, e = 2(m + a)/L, d = 2 m a/e; a ship that goes where her bow points
+// makes no leeway. They never give energy, and e d > m a keeps a straight run stable.
+TEST(HullLiftClosedForm, ResistsLeewayAndTurningInProportionToSpeed) {
+  Coefficients c;
+  c.ship = keptShip();
+  const double added = 0.8 * kMass;
+  c.addedMassZero(Sway, Sway) = added;
+  HullLift lift(c, kLength);
+  ShipMotion motion;
+  motion.speed = 10.0;
   motion.etaDotNow[Sway] = 0.3;
-  motion.eta[Yaw] = 0.3 / 10.0;  // she goes where her bow points: no leeway
-  EXPECT_NEAR(k.at(motion)[Sway], 0.0, 1e-6);
+  motion.etaDotNow[Yaw] = 0.01;
+  motion.turnRate = 0.02;
+  const double e = 2.0 * (kMass + added) / kLength, d = 2.0 * kMass * added / e;
+  const Vec6 force = lift.at(motion);
+  EXPECT_DOUBLE_EQ(force[Sway], -e * 10.0 * 0.3);
+  EXPECT_DOUBLE_EQ(force[Yaw], -d * 10.0 * 0.03);
+  motion.eta[Yaw] = std::atan(0.3 / 10.0);
+  EXPECT_NEAR(lift.at(motion).head<3>().norm(), 0.0, 1e-9 * e * 10.0);
 }
 
 TEST(Keepers, TurnsTheShorterWay) {
