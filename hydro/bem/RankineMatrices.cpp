@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hydro/VectorMath.h"
 #include "hydro/bem/Parallel.h"
 
 namespace cutwater {
@@ -29,9 +30,32 @@ void add(const NearImage& one, double weight, NearImage& sum) {
 
 }  // namespace
 
+namespace {
+
+/// Four Galerkin points together, if their number allows.
+std::vector<RankineMatrices::FourSeen> foursOf(const std::vector<QuadraturePoint>& points,
+                                               double area) {
+  std::vector<RankineMatrices::FourSeen> fours;
+  if (points.size() % 4 != 0) return fours;
+  for (std::size_t from = 0; from < points.size(); from += 4) {
+    RankineMatrices::FourSeen& four = fours.emplace_back();
+    for (std::size_t i = 0; i < 4; ++i) {
+      const QuadraturePoint& point = points[from + i];
+      four.x[i] = point.x.x();
+      four.y[i] = point.x.y();
+      four.z[i] = point.x.z();
+      four.weight[i] = point.weight / area;
+    }
+  }
+  return fours;
+}
+
+}  // namespace
+
 RankineMatrices::RankineMatrices(const PanelPairs& pairs)
     : pairs_(pairs), near_(static_cast<std::size_t>(pairs.all())) {
   const int all = pairs.all();
+  for (int i = 0; i < all; ++i) fours_.push_back(foursOf(pairs.galerkin(i), pairs.panel(i).area));
   for (int p = 0; p < pairs.parities(); ++p) {
     RankineParts& part = parts_[static_cast<std::size_t>(p)];
     for (Eigen::MatrixXd* m : {&part.rigid, &part.image, &part.rigidNormal, &part.imageNormal})
@@ -48,24 +72,23 @@ RankineMatrices::RankineMatrices(const PanelPairs& pairs)
 
 namespace {
 
-/// As `add`, of four points at once by the far form.
-void addFar(const RankinePanel& rankine, const std::vector<QuadraturePoint>& points, bool mirrored,
-            bool image, const Vec3& n, bool source, double area, Sample& sum) {
-  for (std::size_t from = 0; from < points.size(); from += 4) {
-    RankinePanel::FourPoints four;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Vec3& x = points[from + i].x;
-      four.x[0][i] = x.x();
-      four.x[1][i] = mirrored ? -x.y() : x.y();
-      four.x[2][i] = image ? -x.z() : x.z();
-    }
-    const RankinePanel::FourIntegrals at = rankine.farAt(four);
-    for (std::size_t i = 0; i < 4; ++i)
-      add({at.potential[i],
-           {at.gradient[0][i], at.gradient[1][i], at.gradient[2][i]},
-           at.doubleLayer[i]},
-          n, source, points[from + i].weight / area, sum);
+/// What `add` sums over all points, four at a time by the far form.
+CUTWATER_VECTOR Sample farSample(const RankinePanel& rankine,
+                                 const std::vector<RankineMatrices::FourSeen>& points,
+                                 bool mirrored, bool image, const Vec3& n, bool source) {
+  const double sideY = mirrored ? -1.0 : 1.0, sideZ = image ? -1.0 : 1.0;
+  Four potential{}, normal{}, x{};
+  for (const RankineMatrices::FourSeen& four : points) {
+    const Four weight = loadFour(four.weight);
+    const RankinePanel::FourIntegrals at =
+        rankine.farAt({loadFour(four.x), sideY * loadFour(four.y), sideZ * loadFour(four.z)});
+    potential += weight * at.potential;
+    normal += weight * (source ? n.x() * at.gradientX + n.y() * at.gradientY + n.z() * at.gradientZ
+                               : at.doubleLayer);
+    x += weight * at.gradientX;
   }
+  const auto sum = [](Four a) { return (a[0] + a[1]) + (a[2] + a[3]); };
+  return {sum(potential), sum(normal), sum(x)};
 }
 
 }  // namespace
@@ -80,13 +103,11 @@ RankineMatrices::Sample RankineMatrices::sample(const RankinePanel& rankine, con
   };
   const Vec3 n = seen(panel.normal);
   const auto& points = pairs_.galerkin(pair.field);
-  Sample sum;
+  const auto& fours = fours_[static_cast<std::size_t>(pair.field)];
   const double reach = RankinePanel::kFarRatio * rankine.radius() + pairs_.size(pair.field);
-  if (points.size() % 4 == 0 &&
-      (seen(panel.centroid) - rankine.centroid()).squaredNorm() > reach * reach) {
-    addFar(rankine, points, pair.mirrored, image, n, pairs_.isSource(), panel.area, sum);
-    return sum;
-  }
+  if (!fours.empty() && (seen(panel.centroid) - rankine.centroid()).squaredNorm() > reach * reach)
+    return farSample(rankine, fours, pair.mirrored, image, n, pairs_.isSource());
+  Sample sum;
   for (const QuadraturePoint& point : points) {
     RankineIntegrals at = rankine.at(seen(point.x));
     if (pair.field == pair.source && !pair.mirrored && !image) {

@@ -46,12 +46,18 @@ class RankineMatrices {
     double potential = 0.0, normal = 0.0, x = 0.0;
   };
 
+  /// Four points of a field panel, their weights shares of its area.
+  struct FourSeen {
+    double x[4], y[4], z[4], weight[4];
+  };
+
  private:
   Sample sample(const RankinePanel& rankine, const Pair& pair, bool image) const;
   void integrate(int source);
   void findNear(int source);
 
   const PanelPairs& pairs_;
+  std::vector<std::vector<FourSeen>> fours_;  // of each field panel; empty if it has not 4, 8, ...
   std::array<RankineParts, 2> parts_;
   std::vector<std::vector<NearPair>>
       near_;  // of each source panel: not mirrored, mirrored, by field

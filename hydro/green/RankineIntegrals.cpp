@@ -206,11 +206,6 @@ CUTWATER_VECTOR RankineIntegrals RankinePanel::exactAt(const Vec3& x) const noex
           solidAngle};
 }
 
-template <typename Number>
-struct RankinePanel::FarSample {
-  Number potential, gradientX, gradientY, gradientZ, doubleLayer;
-};
-
 namespace {
 
 CUTWATER_INLINE double inverseRoot(double square) { return 1.0 / std::sqrt(square); }
@@ -262,20 +257,9 @@ RankineIntegrals RankinePanel::farAt(const Vec3& x) const noexcept {
 
 CUTWATER_VECTOR RankinePanel::FourIntegrals RankinePanel::farAt(
     const FourPoints& points) const noexcept {
-  const auto place = [&](int axis) {
-    const double* x = points.x[axis];
-    return Four{x[0], x[1], x[2], x[3]} - centroid_[axis];
-  };
-  const FarSample<Four> at = farSample(place(0), place(1), place(2));
-  FourIntegrals result;
-  for (int i = 0; i < 4; ++i) {
-    result.potential[i] = at.potential[i];
-    result.gradient[0][i] = at.gradientX[i];
-    result.gradient[1][i] = at.gradientY[i];
-    result.gradient[2][i] = at.gradientZ[i];
-    result.doubleLayer[i] = at.doubleLayer[i];
-  }
-  return result;
+  const FarSample<Four> at =
+      farSample(points.x - centroid_.x(), points.y - centroid_.y(), points.z - centroid_.z());
+  return {at.potential, at.gradientX, at.gradientY, at.gradientZ, at.doubleLayer};
 }
 
 // ln ρ is the divergence of (½ ln ρ − ¼) times the vector from x, so each edge gives

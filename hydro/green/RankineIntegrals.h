@@ -3,6 +3,7 @@
 #include <span>
 
 #include "hydro/Conventions.h"
+#include "hydro/Vector.h"
 
 namespace cutwater {
 
@@ -49,12 +50,12 @@ class RankinePanel {
   /// The far form, whatever the distance. @pre x is not the centroid.
   RankineIntegrals farAt(const Vec3& x) const noexcept;
 
-  /// The far form at four points, x[coordinate][point].
-  struct FourPoints {
-    double x[3][4];
+  /// The far form at four points.
+  struct alignas(32) FourPoints {
+    Four x, y, z;
   };
-  struct FourIntegrals {
-    double potential[4], gradient[3][4], doubleLayer[4];
+  struct alignas(32) FourIntegrals {
+    Four potential, gradientX, gradientY, gradientZ, doubleLayer;
   };
   FourIntegrals farAt(const FourPoints& points) const noexcept;
 
@@ -81,7 +82,9 @@ class RankinePanel {
   std::array<double, 4> tangentU_{}, tangentV_{}, length_{};
   std::array<double, 2> fanArea_{};  // twice the signed area of triangles 0-1-2 and 0-2-3
   template <typename Number>
-  struct FarSample;
+  struct FarSample {
+    Number potential, gradientX, gradientY, gradientZ, doubleLayer;
+  };
   template <typename Number>
   FarSample<Number> farSample(Number x, Number y, Number z) const noexcept;
 
