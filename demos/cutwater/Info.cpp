@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Csv.h"
 #include "hydro/database/CoefficientsFile.h"
+#include "hydro/memory/ConsistentLimit.h"
 #include "hydro/memory/RadiationModel.h"
 
 namespace cutwater::command {
@@ -51,27 +53,7 @@ void listShip(Csv& csv, const ShipParticulars& ship) {
   number("roll_damping_quadratic", ship.supplementary.rollDampingQuadratic, "N m/(rad/s)^2");
 }
 
-// Largest |X − Xᵀ| of a table, as % of its largest entry of each pair's geometric mean.
-double asymmetry(const std::vector<Mat6>& table) {
-  Mat6 scale = Mat6::Zero();
-  for (const Mat6& m : table) {
-    for (int j = 0; j < 6; ++j) {
-      for (int k = 0; k < 6; ++k)
-        scale(j, k) = std::max(scale(j, k), std::sqrt(std::abs(m(j, j) * m(k, k))));
-    }
-  }
-  double worst = 0.0;
-  for (const Mat6& m : table) {
-    for (int j = 0; j < 6; ++j) {
-      for (int k = 0; k < j; ++k) {
-        if (scale(j, k) > 0.0) worst = std::max(worst, std::abs(m(j, k) - m(k, j)) / scale(j, k));
-      }
-    }
-  }
-  return 100.0 * worst;
-}
-
-// Largest distance of A(∞) of the ω = ∞ problem itself from the one in use, in % as above.
+// Largest distance of A(∞) of the ω = ∞ problem itself from the one in use, in % of √(A_jj A_kk).
 double infinityDifference(const Coefficients& c) {
   if (c.addedMassInfDirect.isZero()) return 0.0;
   const Vec6 size = c.addedMassInf.diagonal().cwiseSqrt();
@@ -114,6 +96,13 @@ std::string setting(const Coefficients& c, const std::string& key) {
   std::string value = text.substr(from, end - from);
   std::erase(value, '"');
   return value;
+}
+
+// As the solver found it, if the file tells; the matrices themselves are symmetrised in ours.
+double solversAsymmetry(const Coefficients& c, const std::string& name,
+                        const std::vector<Mat6>& table) {
+  const std::string told = setting(c, name + "_asymmetry");
+  return 100.0 * (told.empty() ? asymmetry(table) : std::strtod(told.c_str(), nullptr));
 }
 
 // What the file holds for forward speed.
@@ -162,8 +151,8 @@ void info(const std::string& database, const std::string& out) {
   listSpeed(csv, c);
   listMask(csv, c);
   listMemory(csv, c);
-  number("check_added_mass_asymmetry", asymmetry(c.addedMass), "%");
-  number("check_damping_asymmetry", asymmetry(c.damping), "%");
+  number("check_added_mass_asymmetry", solversAsymmetry(c, "added_mass", c.addedMass), "%");
+  number("check_damping_asymmetry", solversAsymmetry(c, "damping", c.damping), "%");
   double smallest = std::numeric_limits<double>::infinity();
   for (const Mat6& b : c.damping) smallest = std::min(smallest, b.diagonal().minCoeff());
   number("check_damping_smallest_diagonal", smallest, "");

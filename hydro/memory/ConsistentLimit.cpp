@@ -1,5 +1,7 @@
 #include "hydro/memory/ConsistentLimit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -111,7 +113,20 @@ Coefficients withConsistentLimit(Coefficients coefficients) {
   return coefficients;
 }
 
+double asymmetry(const std::vector<Mat6>& table) {
+  Mat6 scale = Mat6::Zero(), worst = Mat6::Zero();
+  for (const Mat6& m : table) {
+    const Vec6 size = m.diagonal().cwiseAbs().cwiseSqrt();
+    scale = scale.cwiseMax(size * size.transpose());
+    worst = worst.cwiseMax((m - m.transpose()).cwiseAbs());
+  }
+  return (scale.array() > 0.0).select(worst.cwiseQuotient(scale), Mat6::Zero()).maxCoeff();
+}
+
 Coefficients readyForUse(Coefficients solved) {
+  solved.provenance.settings +=
+      fmt::format("added_mass_asymmetry = {:.3g}\ndamping_asymmetry = {:.3g}\n",
+                  asymmetry(solved.addedMass), asymmetry(solved.damping));
   for (auto* matrices : {&solved.addedMass, &solved.damping}) {
     for (Mat6& m : *matrices) m = (0.5 * (m + m.transpose())).eval();
   }

@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "hydro/memory/RetardationMatrix.h"
 
@@ -41,8 +42,11 @@ ConsistentLimit consistentLimit(const Coefficients& coefficients);
 /// are nearer by it in 12, 14 and 14. Of A the like is not true (2, 3 and 7 of 12).
 Coefficients withConsistentLimit(Coefficients coefficients);
 
+/// Largest |X_jk − X_kj| of a table over √(X_jj X_kk) at its largest, which is discretisation error in A and B.
+double asymmetry(const std::vector<Mat6>& table);
+
 /// What a solver gave, made ready for readers and the time domain: A and B symmetrised (Timman & Newman
-/// 1962; what is left of A_jk − A_kj is discretisation error), applyMask (IrregularFrequencies.h),
+/// 1962; what is left of A_jk − A_kj is discretisation error, noted in Provenance::settings), applyMask (IrregularFrequencies.h),
 /// then withConsistentLimit, for K must not see a resonance that the mask takes out.
 /// @throws HydroError as applyMask and RetardationMatrix.
 Coefficients readyForUse(Coefficients solved);
