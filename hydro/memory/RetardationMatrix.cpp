@@ -57,6 +57,8 @@ struct Sampler {
     return RetardationFunction(omega, values);
   }
 };
+template <class Value>  // Clang 14 does not deduce aggregates
+Sampler(std::span<const double>, const Vec6&, Value) -> Sampler<Value>;
 
 }  // namespace
 

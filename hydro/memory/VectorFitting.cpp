@@ -132,9 +132,8 @@ std::vector<std::vector<Complex>> fitResidues(const std::vector<double>& omega,
     if (r.holdsZero) {
       const Vector goal = atZero.cwiseQuotient(norms);
       const auto R = qr.matrixQR().topRows(rows.cols()).triangularView<Eigen::Upper>();
-      Vector direction = goal;  // (XᵀX)⁻¹ g
-      R.transpose().solveInPlace(direction);
-      R.solveInPlace(direction);
+      const Vector half = R.transpose().solve(goal);
+      const Vector direction = R.solve(half);  // (XᵀX)⁻¹ g
       factors += direction * ((r.atZero - goal.dot(factors)) / goal.dot(direction));
     }
     factors = factors.cwiseQuotient(norms);
