@@ -58,7 +58,7 @@ struct Sampler {
   }
 };
 template <class Value>  // Clang 14 does not deduce aggregates
-Sampler(std::span<const double>, const Vec6&, Value) -> Sampler<Value>;
+Sampler(std::span<const double>, const Vec6&, Value)->Sampler<Value>;
 
 }  // namespace
 
