@@ -3,7 +3,8 @@
 set datafile separator ','
 set terminal pngcairo size 1500,900 font 'sans,10'
 set output out
-of(file, mode) = sprintf("< awk -F, '$3 == %d' '%s'", mode, file)
+# Below an encounter frequency of 0.1 rad/s the theory has no surge, sway and yaw: left out.
+of(file, mode) = sprintf("< awk -F, '$3 == %d && ($2 >= 0.1 || $2 <= -0.1)' '%s'", mode, file)
 modes = "surge sway heave roll pitch yaw"
 set multiplot layout 4,3 title 'Regular waves, heading '.name.': Bullet (points) and frequency domain (lines)'
 set grid lc rgb '#dddddd'
