@@ -25,10 +25,6 @@ double dotProduct(const double* a, const double* b, std::size_t n) noexcept {
   return ((lane[0] + lane[4]) + (lane[1] + lane[5])) + ((lane[2] + lane[6]) + (lane[3] + lane[7]));
 }
 
-const Mat6& partOf(const SpeedKernels& k, std::size_t part) {
-  return part == 0 ? k.atRest : part == 1 ? k.linear : k.squared;
-}
-
 std::size_t ticksOf(double step, double duration) {
   if (!std::isfinite(step) || step <= 0.0) {
     throw HydroError(Fault::ValueOutOfRange,
@@ -59,7 +55,7 @@ ConvolutionWeights::ConvolutionWeights(const RetardationMatrix& retardation, dou
     const double begin = static_cast<double>(i) * step_;
     cells.push_back(retardation.integrals(begin, begin + step_));
     for (std::size_t part = 0; part < 3; ++part)
-      size[part] = size[part].cwiseMax(partOf(cells.back(), part).cwiseAbs());
+      size[part] = size[part].cwiseMax(cells.back()[part].cwiseAbs());
   }
   for (int n = 0; n < 36; ++n) {
     const int j = n / 6, k = n % 6;
@@ -79,8 +75,7 @@ void ConvolutionWeights::fill(const std::vector<SpeedKernels>& cells, const Mat6
     for (std::size_t part = 0; part < 3; ++part) {
       double* run = weights_[part].data() + pair.offset;
       double sum = 0.0;
-      for (std::size_t i = 0; i < length_; ++i)
-        sum += run[i] = -partOf(cells[i], part)(pair.j, pair.k);
+      for (std::size_t i = 0; i < length_; ++i) sum += run[i] = -cells[i][part](pair.j, pair.k);
       if (pair.holds[part] && part < 2) balance(run, -sum - total[part](pair.j, pair.k));
     }
 }
@@ -121,8 +116,7 @@ Vec6 Convolution::force(std::size_t part) noexcept {
 
 Vec6 Convolution::advance(const Vec6& etaDot, double speed) noexcept {
   enter(etaDot);
-  if (speed == 0.0) return force(0);
-  return force(0) + speed * (force(1) + speed * force(2));
+  return speed == 0.0 ? force(0) : Parts{force(0), force(1), force(2)}.at(speed);
 }
 
 RadiationMemory::Parts Convolution::advanceParts(const Vec6& etaDot) noexcept {

@@ -8,7 +8,6 @@
 namespace cutwater {
 
 class RetardationMatrix;
-struct SpeedKernels;
 
 /// Weights K̄_i of a convolution, shared by all ships of a kind. Immutable.
 ///
@@ -40,7 +39,7 @@ class ConvolutionWeights {
   }
 
  private:
-  void fill(const std::vector<SpeedKernels>& cells, const Mat6& linearTotal);
+  void fill(const std::vector<SpeedParts<Mat6>>& cells, const Mat6& linearTotal);
   void balance(double* run, double missing) const;
 
   double step_;

@@ -40,9 +40,6 @@ struct Spectrum {
         addedMassInf(addedMass) {
     for (const double w : omega) values.push_back(K.transforms(w));
   }
-  const CMat6& part(std::size_t i, std::size_t part) const {
-    return part == 0 ? values[i].atRest : part == 1 ? values[i].linear : values[i].squared;
-  }
   /// B(U) + iωA(U) at frequency i.
   Complex impedance(std::size_t i, double U, int j, int k) const {
     const Complex iw(0.0, omega[i]);
@@ -72,7 +69,8 @@ Response responseOf(const Spectrum& s, int j, int k, std::size_t part) {
   const auto n = static_cast<Eigen::Index>(s.omega.size());
   Response r{Eigen::VectorXcd(n), Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n),
              part == 1 ? s.linearTotal(j, k) : 0.0, part < 2};
-  for (Eigen::Index i = 0; i < n; ++i) r.value[i] = s.part(static_cast<std::size_t>(i), part)(j, k);
+  for (Eigen::Index i = 0; i < n; ++i)
+    r.value[i] = s.values[static_cast<std::size_t>(i)][part](j, k);
   for (const double U : kSpeeds) {
     if (part > 0 && U == 0.0) continue;
     std::vector<double> re, im;
@@ -102,7 +100,7 @@ std::vector<Channel> channelsOf(const Spectrum& s) {
   Mat6 largest[3] = {Mat6::Zero(), Mat6::Zero(), Mat6::Zero()};
   for (std::size_t i = 0; i < s.omega.size(); ++i) {
     for (std::size_t part = 0; part < 3; ++part)
-      largest[part] = largest[part].cwiseMax(s.part(i, part).cwiseAbs());
+      largest[part] = largest[part].cwiseMax(s.values[i][part].cwiseAbs());
   }
   std::vector<Channel> channels;
   double share = 1.0;
@@ -116,20 +114,26 @@ std::vector<Channel> channelsOf(const Spectrum& s) {
   return channels;
 }
 
+/// ∫₀^∞ Re{Σ R_m e^{s_m τ}} e^{−iωτ} dτ.
+Complex transformOf(const std::vector<Complex>& residues, const std::vector<Complex>& poles,
+                    double omega) {
+  const Complex iw(0.0, omega);
+  Complex sum = 0.0;
+  for (std::size_t m = 0; m < poles.size(); ++m) {
+    const Complex R = residues[m];
+    sum += 0.5 * (R / (iw - poles[m]) + std::conj(R) / (iw - std::conj(poles[m])));
+  }
+  return sum;
+}
+
 double worstError(const std::vector<double>& omega, const std::vector<Response>& responses,
                   const std::vector<Complex>& poles,
                   const std::vector<std::vector<Complex>>& residues) {
   double worst = 0.0;
   for (std::size_t r = 0; r < responses.size(); ++r) {
     for (std::size_t i = 0; i < omega.size(); ++i) {
-      const Complex iw(0.0, omega[i]);
-      Complex value = 0.0;
-      for (std::size_t m = 0; m < poles.size(); ++m) {
-        const Complex R = residues[r][m];
-        value += 0.5 * (R / (iw - poles[m]) + std::conj(R) / (iw - std::conj(poles[m])));
-      }
       const auto at = static_cast<Eigen::Index>(i);
-      const Complex error = value - responses[r].value[at];
+      const Complex error = transformOf(residues[r], poles, omega[i]) - responses[r].value[at];
       worst = std::max({worst, responses[r].weightRe[at] * std::abs(error.real()),
                         responses[r].weightIm[at] * std::abs(error.imag())});
     }
@@ -152,8 +156,7 @@ ExponentialSum::ExponentialSum(const RetardationMatrix& retardation, const Mat6&
   error_ = worstError(spectrum.omega, responses, poles_, residues);
   for (std::size_t c = 0; c < channels.size(); ++c) {
     Pair& pair = pairOf(channels[c].j, channels[c].k);
-    const std::size_t part = channels[c].part;
-    (part == 0 ? pair.atRest : part == 1 ? pair.linear : pair.squared) = residues[c];
+    pair[channels[c].part] = residues[c];
   }
   makeRuns();
 }
@@ -164,7 +167,7 @@ ExponentialSum::Pair& ExponentialSum::pairOf(int j, int k) {
                                [&](const Pair& p) { return p.j * 6 + p.k >= j * 6 + k; });
   if (at != pairs_.end() && at->j == j && at->k == k) return *at;
   const std::vector<Complex> none(poles_.size(), 0.0);
-  return *pairs_.insert(at, {j, k, none, none, none});
+  return *pairs_.insert(at, {{none, none, none}, j, k});
 }
 
 void ExponentialSum::makeRuns() {
@@ -172,7 +175,7 @@ void ExponentialSum::makeRuns() {
     runs_[part].assign(pairs_.size() * 2 * width(), 0.0);
     double* at = runs_[part].data();
     for (const Pair& pair : pairs_) {
-      const auto& residues = part == 0 ? pair.atRest : part == 1 ? pair.linear : pair.squared;
+      const std::vector<Complex>& residues = pair[part];
       for (std::size_t m = 0; m < poles_.size(); ++m) {
         at[m] = -residues[m].real();
         at[width() + m] = residues[m].imag();
@@ -186,8 +189,8 @@ Mat6 ExponentialSum::at(double tau, double speed) const {
   Mat6 K = Mat6::Zero();
   for (const Pair& p : pairs_) {
     for (std::size_t m = 0; m < poles_.size(); ++m) {
-      const Complex R = p.atRest[m] + speed * (p.linear[m] + speed * p.squared[m]);
-      K(p.j, p.k) += (R * std::exp(poles_[m] * tau)).real();
+      const SpeedParts<Complex> R{p.atRest[m], p.linear[m], p.squared[m]};
+      K(p.j, p.k) += (R.at(speed) * std::exp(poles_[m] * tau)).real();
     }
   }
   return K;
@@ -195,12 +198,11 @@ Mat6 ExponentialSum::at(double tau, double speed) const {
 
 CMat6 ExponentialSum::transform(double omega, double speed) const {
   CMat6 K = CMat6::Zero();
-  const Complex iw(0.0, omega);
   for (const Pair& p : pairs_) {
-    for (std::size_t m = 0; m < poles_.size(); ++m) {
-      const Complex R = p.atRest[m] + speed * (p.linear[m] + speed * p.squared[m]);
-      K(p.j, p.k) += 0.5 * (R / (iw - poles_[m]) + std::conj(R) / (iw - std::conj(poles_[m])));
-    }
+    const SpeedParts<Complex> parts{transformOf(p.atRest, poles_, omega),
+                                    transformOf(p.linear, poles_, omega),
+                                    transformOf(p.squared, poles_, omega)};
+    K(p.j, p.k) = parts.at(speed);
   }
   return K;
 }

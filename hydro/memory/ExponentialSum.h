@@ -26,10 +26,9 @@ class ExponentialSum {
 
   std::size_t size() const noexcept { return poles_.size(); }  ///< poles
   const std::vector<Complex>& poles() const noexcept { return poles_; }
-  /// Pairs (j, k) that are not zero.
-  struct Pair {
+  /// A pair (j, k) that is not zero: its residues by pole, at rest and under way.
+  struct Pair : SpeedParts<std::vector<Complex>> {
     int j, k;
-    std::vector<Complex> atRest, linear, squared;  ///< residues by pole
   };
   const std::vector<Pair>& pairs() const noexcept { return pairs_; }
 

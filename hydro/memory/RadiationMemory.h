@@ -2,6 +2,7 @@
 #include <span>
 
 #include "hydro/Conventions.h"
+#include "hydro/memory/SpeedParts.h"
 
 namespace cutwater {
 
@@ -21,9 +22,7 @@ class RadiationMemory {
   virtual Vec6 advance(const Vec6& etaDot, double speed) noexcept = 0;
   Vec6 advance(const Vec6& etaDot) noexcept { return advance(etaDot, 0.0); }
   /// The same with the parts apart: F = atRest + U linear + U² squared.
-  struct Parts {
-    Vec6 atRest, linear, squared;
-  };
+  using Parts = SpeedParts<Vec6>;
   virtual Parts advanceParts(const Vec6& etaDot) noexcept = 0;
   /// Forgets: as if at rest on the mean course for ever.
   virtual void reset() noexcept = 0;

@@ -39,7 +39,7 @@ double medianStep(const std::vector<double>& nodes) {
   return *middle;
 }
 
-/// The functions of those (j, k) of `pairs` that do not vanish by symmetry.
+/// The functions of those pairs (j, k) that do not vanish by symmetry.
 template <class Value>
 struct Sampler {
   std::span<const double> omega;
@@ -99,8 +99,9 @@ void RetardationMatrix::addSpeedTerms(const Coefficients& c, const Vec6& scale) 
     addedMassXInf_ = meanOverBand(c, seen).value_or(c.addedMassXInf);
   }
   hasSpeedTerms_ = true;
+  rise_ = ofX(Level::Remaining, 0.0);
   speedDamping_ = A * T.transpose() - addedMassXInf_;
-  speedStiffness_ = -(addedMassXInf_ + rise()) * T.transpose();
+  speedStiffness_ = -(addedMassXInf_ + rise_) * T.transpose();
 }
 
 bool RetardationMatrix::isZero(int j, int k) const noexcept {
@@ -133,28 +134,30 @@ Mat6 RetardationMatrix::sum(const Entries& entries, Level level, double tau) con
                         : level == Level::Integral ? f.tailTransform(tails, 1).imag()
                                                    : f.tailTransform(tails, 2).real() / end;
   }
-  result *= 2.0 / kPi;
-  return &entries == &entries_ ? Mat6(result.selfadjointView<Eigen::Upper>()) : result;
+  return (2.0 / kPi) * result;
 }
 
-Mat6 RetardationMatrix::at(double tau) const { return sum(entries_, Level::Value, tau); }
+Mat6 RetardationMatrix::atRest(Level level, double tau) const {
+  return Mat6(sum(entries_, level, tau).selfadjointView<Eigen::Upper>());
+}
 
-Mat6 RetardationMatrix::integral(double tau) const { return sum(entries_, Level::Integral, tau); }
+Mat6 RetardationMatrix::ofX(Level level, double tau) const {
+  return form_ == ForwardSpeedForm::Tuck ? Mat6(tuckMatrix() * atRest(level, tau))
+                                         : sum(entriesX_, level, tau);
+}
+
+Mat6 RetardationMatrix::at(double tau) const { return atRest(Level::Value, tau); }
+
+Mat6 RetardationMatrix::integral(double tau) const { return atRest(Level::Integral, tau); }
 
 Mat6 RetardationMatrix::squared(double tau) const {
-  const Mat6 T = tuckMatrix();
-  return form_ == ForwardSpeedForm::Tuck
-             ? Mat6(T * sum(entries_, Level::Remaining, tau) * T.transpose())
-             : Mat6(sum(entriesX_, Level::Remaining, tau) * T.transpose());
+  return ofX(Level::Remaining, tau) * tuckMatrix().transpose();
 }
 
 SpeedKernels RetardationMatrix::kernels(double tau) const {
   SpeedKernels k{at(tau), Mat6::Zero(), Mat6::Zero()};
   if (!hasSpeedTerms_) return k;
-  const Mat6 T = tuckMatrix(), rest = integral(tau);
-  k.linear =
-      rest * T.transpose() -
-      (form_ == ForwardSpeedForm::Tuck ? Mat6(T * rest) : sum(entriesX_, Level::Integral, tau));
+  k.linear = integral(tau) * tuckMatrix().transpose() - ofX(Level::Integral, tau);
   k.squared = squared(tau);
   return k;
 }
@@ -162,28 +165,19 @@ SpeedKernels RetardationMatrix::kernels(double tau) const {
 SpeedKernels RetardationMatrix::integrals(double a, double b) const {
   SpeedKernels k{integral(b) - integral(a), Mat6::Zero(), Mat6::Zero()};
   if (!hasSpeedTerms_) return k;
-  const Mat6 T = tuckMatrix();
-  const Mat6 rest = sum(entries_, Level::Remaining, a) - sum(entries_, Level::Remaining, b);
-  k.linear = rest * T.transpose();
-  if (form_ == ForwardSpeedForm::Tuck) {
-    k.linear -= T * rest;
-  } else {
-    k.linear -= sum(entriesX_, Level::Remaining, a) - sum(entriesX_, Level::Remaining, b);
-  }
+  k.linear = linearBeyond(a) - linearBeyond(b);
   const double half = 0.5 * (b - a), middle = 0.5 * (a + b), out = half * std::sqrt(0.6);
   k.squared = half / 9.0 *
               (5.0 * squared(middle - out) + 8.0 * squared(middle) + 5.0 * squared(middle + out));
   return k;
 }
 
-Mat6 RetardationMatrix::rise() const {
-  return form_ == ForwardSpeedForm::Tuck ? Mat6(tuckMatrix() * sum(entries_, Level::Remaining, 0.0))
-                                         : sum(entriesX_, Level::Remaining, 0.0);
+Mat6 RetardationMatrix::linearBeyond(double tau) const {
+  return atRest(Level::Remaining, tau) * tuckMatrix().transpose() - ofX(Level::Remaining, tau);
 }
 
 Mat6 RetardationMatrix::linearTotal() const {
-  if (!hasSpeedTerms_) return Mat6::Zero();
-  return sum(entries_, Level::Remaining, 0.0) * tuckMatrix().transpose() - rise();
+  return hasSpeedTerms_ ? linearBeyond(0.0) : Mat6(Mat6::Zero());
 }
 
 // With D = ∂A − ∂A^∞ − i ∂B/ω the transform of ∫₀^τK⁰ is that of K⁰ over iω, and that of ∫_τ^∞ D
@@ -199,36 +193,42 @@ RetardationMatrix::Transforms RetardationMatrix::transforms(double omega) const 
                    Complex(0.0, 1.0) * sineTransformX(omega).cast<Complex>()) /
                   iw;
   result.linear = result.atRest * Tt / iw - D;
-  result.squared = (rise().cast<Complex>() - D) * Tt / iw;
+  result.squared = (rise_.cast<Complex>() - D) * Tt / iw;
   return result;
+}
+
+template <class Value>
+Mat6 RetardationMatrix::ofAll(const Entries& entries, Value value) const {
+  Mat6 result = Mat6::Zero();
+  for (const Entry& e : entries) result(e.j, e.k) = value(e.function);
+  return result;
+}
+
+template <class Value>
+Mat6 RetardationMatrix::atRest(Value value) const {
+  return Mat6(ofAll(entries_, value).template selfadjointView<Eigen::Upper>());
+}
+
+template <class Value>
+Mat6 RetardationMatrix::ofX(Value value) const {
+  return form_ == ForwardSpeedForm::Tuck ? Mat6(tuckMatrix() * atRest(value))
+                                         : ofAll(entriesX_, value);
 }
 
 Mat6 RetardationMatrix::sineTransform(double omega) const {
-  Mat6 result = Mat6::Zero();
-  for (const Entry& entry : entries_) {
-    result(entry.j, entry.k) = entry.function.sineTransform(omega);
-  }
-  return result.selfadjointView<Eigen::Upper>();
+  return atRest([=](const RetardationFunction& f) { return f.sineTransform(omega); });
 }
 
 Mat6 RetardationMatrix::sineTransformX(double omega) const {
-  if (form_ == ForwardSpeedForm::Tuck) return tuckMatrix() * sineTransform(omega);
-  Mat6 result = Mat6::Zero();
-  for (const Entry& e : entriesX_) result(e.j, e.k) = e.function.sineTransform(omega);
-  return result;
+  return ofX([=](const RetardationFunction& f) { return f.sineTransform(omega); });
 }
 
 Mat6 RetardationMatrix::damping(double omega) const {
-  Mat6 result = Mat6::Zero();
-  for (const Entry& entry : entries_) result(entry.j, entry.k) = entry.function.damping(omega);
-  return result.selfadjointView<Eigen::Upper>();
+  return atRest([=](const RetardationFunction& f) { return f.damping(omega); });
 }
 
 Mat6 RetardationMatrix::dampingX(double omega) const {
-  if (form_ == ForwardSpeedForm::Tuck) return tuckMatrix() * damping(omega);
-  Mat6 result = Mat6::Zero();
-  for (const Entry& e : entriesX_) result(e.j, e.k) = e.function.damping(omega);
-  return result;
+  return ofX([=](const RetardationFunction& f) { return f.damping(omega); });
 }
 
 Mat6 RetardationMatrix::addedMassX(double omega) const {

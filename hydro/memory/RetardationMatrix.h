@@ -4,16 +4,12 @@
 
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/memory/RetardationFunction.h"
+#include "hydro/memory/SpeedParts.h"
 
 namespace cutwater {
 
-/// Memory of a ship under way: K(U, τ) = K⁰ + U K^U + U² K^UU             [M03] (33), (36)
-struct SpeedKernels {
-  Mat6 atRest = Mat6::Zero();   ///< K⁰ [unit of B / s]
-  Mat6 linear = Mat6::Zero();   ///< K^U [unit of B / m]
-  Mat6 squared = Mat6::Zero();  ///< K^UU [unit of B · s/m²]
-  Mat6 at(double speed) const { return atRest + speed * (linear + speed * squared); }
-};
+/// Memory of a ship under way: K⁰ [unit of B / s], K^U [unit of B / m], K^UU [unit of B · s/m²].
+using SpeedKernels = SpeedParts<Mat6>;
 
 /// All functions of a ship, at rest and under way. With D(τ) = (2/π)∫(∂B/ω) sin ωτ dω, I⁰(τ) = ∫₀^τK⁰
 /// and T of database/ForwardSpeed.h
@@ -51,10 +47,7 @@ class RetardationMatrix {
   /// ∫ of the three over τ from a to b ≥ a [s]: K⁰ and K^U exact, K^UU by three Gauss points.
   SpeedKernels integrals(double a, double b) const;
   /// ∫₀^∞ of the three e^{−iωτ} dτ, from B, ∂B and their sine transforms.  @param omega  > 0.
-  struct Transforms {
-    CMat6 atRest, linear, squared;
-    CMat6 at(double speed) const { return atRest + speed * (linear + speed * squared); }
-  };
+  using Transforms = SpeedParts<CMat6>;
   Transforms transforms(double omega) const;
   /// ∫₀^∞ K^U dτ [unit of B · s/m]; ∫₀^∞ K⁰ dτ = 0.
   Mat6 linearTotal() const;
@@ -94,8 +87,17 @@ class RetardationMatrix {
   using Entries = std::vector<Entry>;
   enum class Level { Value, Integral, Remaining };  // K, ∫₀^τ K, ∫_τ^∞ ∫₀^s K
   Mat6 sum(const Entries& entries, Level level, double tau) const;
+  Mat6 atRest(Level level, double tau) const;  // of K⁰
+  Mat6 ofX(Level level, double tau) const;     // of ∂K in place of K⁰; Tuck's form: of T K⁰
   Mat6 squared(double tau) const;
-  Mat6 rise() const;  // ∂A(0) − ∂A^∞ = ∫₀^∞ D
+  Mat6 linearBeyond(double tau) const;  // ∫_τ^∞ K^U
+  // The same of what `value` says of each function.
+  template <class Value>
+  Mat6 ofAll(const Entries& entries, Value value) const;
+  template <class Value>
+  Mat6 atRest(Value value) const;
+  template <class Value>
+  Mat6 ofX(Value value) const;
   Mat6 sineTransformX(double omega) const;
   void addSpeedTerms(const Coefficients& coefficients, const Vec6& scale);
   double findDuration() const;
@@ -104,6 +106,7 @@ class RetardationMatrix {
   Entries entriesX_;  // of ∂B, report's form
   ForwardSpeedForm form_;
   bool hasSpeedTerms_ = false;
+  Mat6 rise_ = Mat6::Zero();  // ∂A(0) − ∂A^∞ = ∫₀^∞ D
   Mat6 addedMassXInf_ = Mat6::Zero(), speedDamping_ = Mat6::Zero(), speedStiffness_ = Mat6::Zero();
   double duration_ = 0.0;
 };

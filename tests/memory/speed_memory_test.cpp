@@ -89,7 +89,7 @@ TEST(SpeedMemoryIdentity, IntegralsOverACellAreThoseOfTheKernels) {
   for (const auto form : kForms) {
     const RetardationMatrix K(c, form);
     for (double a : {0.0, 0.6, 4.0}) {
-      SpeedKernels sum, whole = K.integrals(a, a + 1.0);
+      SpeedKernels sum{Mat6::Zero(), Mat6::Zero(), Mat6::Zero()}, whole = K.integrals(a, a + 1.0);
       constexpr int kCells = 20;
       constexpr double h = 1.0 / kCells;
       for (int i = 0; i < kCells; ++i) {
