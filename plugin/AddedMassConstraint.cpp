@@ -150,7 +150,7 @@ void AddedMassConstraint::setMean(const btVector3& velocity, double turn,
                                   const btVector3& up) noexcept {
   mean_ = fromBullet(velocity);
   turns_ = turn != 0.0;
-  if (turns_) meanTurn_ = Eigen::AngleAxisd(turn, fromBullet(up)).toRotationMatrix();
+  meanTurn_ = Eigen::AngleAxisd(turn, fromBullet(up)).toRotationMatrix();
 }
 
 // p⁻ in the axes of now stands for the velocity x·p⁻/l along row r, which differs from J·v⁻ by what is
@@ -169,14 +169,8 @@ Vec6 AddedMassConstraint::changeByTurning(const btMatrix3x3& axesNow) const noex
     momentum += share * row.linear;
     moment += share * row.angular;
   }
-  Mat3 turn = toNow * toThen.transpose();
-  Vec3 meanChange = Vec3::Zero();  // QV − v⁻ in the axes of now
-  if (turns_) {
-    turn = toNow * meanTurn_ * toThen.transpose();
-    meanChange = toNow * (meanTurn_ * mean_ - fromBullet(linear_));
-  } else {
-    meanChange = -(toNow * swung);
-  }
+  const Mat3 turn = toNow * meanTurn_ * toThen.transpose();
+  const Vec3 meanChange = toNow * (meanTurn_ * mean_ - fromBullet(linear_));  // QV − v⁻
   momentum = turn * momentum;
   moment = turn * moment;
   const Vec3 angularNow = toNow * angular;

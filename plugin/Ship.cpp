@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
+#include "hydro/database/ForwardSpeed.h"
 #include "plugin/ShipAxes.h"
 #include "plugin/ShipBody.h"
 
@@ -37,7 +38,6 @@ Ship::Ship(btDiscreteDynamicsWorld& world, const WorldFrame& frame,
       model_(std::move(model)),
       coefficients_(model_->coefficients()),
       memoryModel_(settings.memory),
-      restrained_(settings.restrained),
       length_(model_->length()),
       keel_(model_->keel()),
       course_(settings.mean == Mean::Filtered ? settings.followTime : 0.0),
@@ -58,8 +58,9 @@ Ship::Ship(btDiscreteDynamicsWorld& world, const WorldFrame& frame,
   body_->forceActivationState(DISABLE_DEACTIVATION);
   addedMass_ =
       std::make_unique<AddedMassConstraint>(*body_, frame_.mass(coefficients_.addedMassInf));
-  if (std::any_of(restrained_.begin(), restrained_.end(), [](bool held) { return held; }))
-    restraint_ = std::make_unique<CourseRestraint>(*body_, restrained_);
+  const auto& held = settings.restrained;
+  if (std::find(held.begin(), held.end(), true) != held.end())
+    restraint_ = std::make_unique<CourseRestraint>(*body_, held);
   startAgain();
   if (ownBody_) world_.addRigidBody(body_);
   world_.addConstraint(addedMass_.get());
@@ -96,7 +97,7 @@ void Ship::adoptBody(btRigidBody& own, const ShipSettings& settings) {
 // On a fixed course exact, once and for all; on one that turns from the table that all ships share.
 void Ship::makeExcitation(double heading, double speed) {
   if (!course_.follows()) {
-    excitation_.emplace(coefficients_, model_->sea(), heading, speed, model_->form());
+    excitation_.emplace(coefficients_, model_->sea(), heading, speed, usableForm(coefficients_));
   } else if (excitation_) {
     excitation_->renew(heading, speed);
   } else {
@@ -117,7 +118,7 @@ void Ship::courseBeginsHere() noexcept {
   if (!course_.follows()) return;
   const Vec3 at = position();
   const double heading = attitude()[2];
-  const double ahead = (headingAxes().transpose() * Vec3(velocityBefore_.head<3>())).x();
+  const double ahead = (rotationZ(-heading) * velocityBefore_.head<3>()).x();
   course_.reset(at.x(), at.y(), heading, ahead, velocityBefore_[Yaw]);
   if (excitation_) excitation_->renew(heading, ahead);
 }
@@ -265,14 +266,14 @@ void Ship::endTick(btScalar step) noexcept {
   Vec6 force;
   force << frame_.forceToEarth(toBullet(addedMass_->force())),
       frame_.momentToEarth(toBullet(addedMass_->moment()));
-  record_.forces.addedMass = rotated(toCourse(), headingAxes().transpose(), force);
+  const double heading = attitude().z();
+  record_.forces.addedMass = rotated(toCourse(), rotationZ(-heading), force);
   headingAtSolve_ = course_.heading();
   lastStep_ = static_cast<double>(step);
   const Vec3 at = position();
   const Vec6 velocity =
       velocityInEarth(addedMass_->linearVelocity(), addedMass_->angularVelocity());
-  course_.advance(lastStep_,
-                  {at.x(), at.y(), attitude()[2], velocity[0], velocity[1], velocity[Yaw]});
+  course_.advance(lastStep_, {at.x(), at.y(), heading, velocity[0], velocity[1], velocity[Yaw]});
 }
 
 CUTWATER_PLUGIN_END

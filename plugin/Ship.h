@@ -187,7 +187,6 @@ class Ship {
   std::shared_ptr<ShipModel> model_;
   const Coefficients& coefficients_;
   MemoryModel memoryModel_;
-  std::array<bool, 6> restrained_;
   double length_, keel_;
   std::unique_ptr<btCollisionShape> hullShape_, compound_;
   std::unique_ptr<btRigidBody> ownBody_;

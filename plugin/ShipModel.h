@@ -18,9 +18,6 @@ class ShipModel {
 
   const Coefficients& coefficients() const noexcept { return coefficients_; }
   const SeaState& sea() const noexcept { return sea_; }
-  /// The database's form of the forward-speed terms; Tuck's if it lacks the x-derivatives that the report's
-  /// needs.
-  ForwardSpeedForm form() const noexcept;
   double length() const noexcept;  ///< of the hull, or of its panels [m]
   double keel() const noexcept;    ///< lowest point, hull axes [m]
   /// @throws HydroError as RadiationModel.

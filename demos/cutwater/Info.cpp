@@ -8,6 +8,7 @@
 #include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Csv.h"
 #include "hydro/database/CoefficientsFile.h"
+#include "hydro/database/ForwardSpeed.h"
 #include "hydro/memory/ConsistentLimit.h"
 #include "hydro/memory/RadiationModel.h"
 
@@ -120,8 +121,7 @@ void listSpeed(Csv& csv, const Coefficients& c) {
 // How the time domain remembers: the fit's size and its distance from the convolution.
 void listMemory(Csv& csv, const Coefficients& c) {
   if (c.omega.size() < 2) return;
-  const RadiationModel model(c, MemoryModel::Exponential,
-                             c.addedMassX.empty() ? ForwardSpeedForm::Tuck : c.forwardSpeed);
+  const RadiationModel model(c, MemoryModel::Exponential, usableForm(c));
   if (model.sum() == nullptr || model.sum()->size() == 0) return;
   list(csv, "memory_duration", csvNumber(model.retardation().duration()), "s");
   list(csv, "memory_poles", csvNumber(static_cast<double>(model.sum()->size())), "");

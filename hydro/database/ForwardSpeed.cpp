@@ -60,6 +60,12 @@ SpeedCoefficients limit(const AtRest& rest, double speed, bool infinite) {
 
 }  // namespace
 
+ForwardSpeedForm usableForm(const Coefficients& c) {
+  const bool derivatives =
+      !c.addedMassX.empty() && !c.dampingX.empty() && (c.adjoint.empty() || !c.adjointX.empty());
+  return derivatives ? c.forwardSpeed : ForwardSpeedForm::Tuck;
+}
+
 Mat6 tuckMatrix() {
   Mat6 T = Mat6::Zero();
   T(Pitch, Heave) = 1.0;

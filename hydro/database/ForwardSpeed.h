@@ -40,6 +40,9 @@ CMat6 radiationImpedance(const Coefficients& coefficients, double omega, double 
 /// Tuck's F^U from F^ω: F^U_5 = iF^ω_3, F^U_6 = −iF^ω_2, others 0 (F_D = ω′F^ω + U F^U).
 CVec6 tuckSpeedForce(const CVec6& omegaForce);
 
+/// The database's own form; Tuck's if it lacks the x-derivatives that the report's needs.
+ForwardSpeedForm usableForm(const Coefficients& coefficients);
+
 /// T: T_53 = 1, T_62 = −1.
 Mat6 tuckMatrix();
 
