@@ -1,9 +1,7 @@
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <exception>
-#include <mutex>
-#include <thread>
 
 #include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Csv.h"
@@ -12,6 +10,7 @@
 #include "demos/cutwater/Progress.h"
 #include "demos/cutwater/RunShip.h"
 #include "hydro/Errors.h"
+#include "hydro/ShareOut.h"
 #include "hydro/forces/FrequencyResponse.h"
 #include "hydro/waves/Wave.h"
 
@@ -86,30 +85,12 @@ void keepWhatCanBeMet(RunFile& run, const Coefficients& coefficients) {
 // Every wave in a Bullet world of its own, waves shared among threads.
 std::vector<CVec6> runAll(const RunFile& run, const Coefficients& coefficients, int threads) {
   std::vector<CVec6> results(run.omega.size());
-  std::atomic<std::size_t> next{0};
   std::atomic<int> done{0};
-  std::exception_ptr failure;
-  std::mutex mutex;
   Progress progress("sweep");
-  const auto work = [&] {
-    for (std::size_t i; (i = next++) < results.size();) {
-      try {
-        results[i] = motionInBullet(run, coefficients, i);
-      } catch (...) {
-        const std::lock_guard<std::mutex> lock(mutex);
-        failure = std::current_exception();
-        next = results.size();
-      }
-      progress.at(++done, static_cast<int>(results.size()));
-    }
-  };
-  const unsigned count =
-      threads > 0 ? static_cast<unsigned>(threads) : std::thread::hardware_concurrency();
-  std::vector<std::thread> pool;
-  for (unsigned i = 1; i < count; ++i) pool.emplace_back(work);
-  work();
-  for (std::thread& thread : pool) thread.join();
-  if (failure) std::rethrow_exception(failure);
+  shareOut(results.size(), static_cast<unsigned>(std::max(threads, 0)), [&](std::size_t i) {
+    results[i] = motionInBullet(run, coefficients, i);
+    progress.at(++done, static_cast<int>(results.size()));
+  });
   return results;
 }
 

@@ -5,14 +5,15 @@
 #include <string>
 
 #include "hydro/Errors.h"
-#include "hydro/VectorMath.h"
 #include "hydro/forces/WaveExcitation.h"
+#include "hydro/waves/PhaseBlocks.h"
 
 namespace cutwater {
 
 namespace {
 
-constexpr std::size_t kLanes = 4, kRuns = 28, kBlock = kLanes * kRuns;
+using namespace phase_blocks;
+constexpr std::size_t kBlock = kPhase + 24 * kLanes;
 constexpr std::size_t kRenewedATick = 2, kLookedAtATick = 8;
 constexpr double kSameHeading = 1e-4, kSameSpeed = 1e-3;  // [rad], [m/s]: not worth renewing
 
@@ -22,10 +23,8 @@ CUTWATER_VECTOR void sumPhasors(const double* block, std::size_t count, double t
                                 double y, double* sums) noexcept {
   Four total[12] = {};
   for (std::size_t i = 0; i < count; ++i, block += kBlock) {
-    const Four phase = loadFour(block) * t + loadFour(block + 4) - loadFour(block + 8) * x -
-                       loadFour(block + 12) * y;
-    const auto [s, c] = sineCosine(phase);
-    const double* re = block + 16;
+    const auto [s, c] = sineCosine(phaseAt(block, t, x, y));
+    const double* re = block + kPhase;
     for (std::size_t j = 0; j < 6; ++j) {
       total[j] += c * loadFour(re + 4 * j) - s * loadFour(re + 4 * (6 + j));
       total[6 + j] += c * loadFour(re + 4 * (12 + j)) - s * loadFour(re + 4 * (18 + j));
@@ -36,23 +35,9 @@ CUTWATER_VECTOR void sumPhasors(const double* block, std::size_t count, double t
 
 }  // namespace
 
-void ExcitationForce::makeBlocks(const SeaState& sea) {
-  const std::size_t count = sea.components().size();
-  blocks_.assign((count + kLanes - 1) / kLanes * kBlock, 0.0);
-  for (std::size_t i = 0; i < count; ++i) {
-    const WaveComponent& wave = sea.components()[i];
-    double* at = &blocks_[i / kLanes * kBlock + i % kLanes];
-    const double k = sea.waveNumber(i);
-    at[0] = wave.omega;
-    at[kLanes] = wave.phase;
-    at[2 * kLanes] = k * std::cos(wave.heading);
-    at[3 * kLanes] = -k * std::sin(wave.heading);
-  }
-}
-
 void ExcitationForce::setAmplitude(std::size_t i, const CVec6& froudeKrylov,
                                    const CVec6& diffraction) noexcept {
-  double* at = &blocks_[i / kLanes * kBlock + i % kLanes] + 4 * kLanes;
+  double* at = placeOf(blocks_, kBlock, i) + kPhase;
   const double a = sea_.components()[i].amplitude;
   for (int j = 0; j < 6; ++j, at += kLanes) {
     at[0] = a * froudeKrylov[j].real();
@@ -67,7 +52,7 @@ ExcitationForce::ExcitationForce(const Coefficients& coefficients, const SeaStat
                                  std::optional<ForwardSpeedForm> form)
     : sea_(sea) {
   if (sea.components().empty()) return;
-  makeBlocks(sea);
+  blocks_ = phaseBlocks(sea, kBlock);
   const WaveExcitation excitation(coefficients, form);
   for (std::size_t i = 0; i < sea.components().size(); ++i) {
     const WaveComponent& wave = sea.components()[i];
@@ -85,7 +70,7 @@ ExcitationForce::ExcitationForce(const Coefficients& coefficients, const SeaStat
 ExcitationForce::ExcitationForce(std::shared_ptr<const ExcitationTable> table, double meanHeading,
                                  double meanSpeed)
     : sea_(table->sea()), table_(std::move(table)), madeFor_(sea_.components().size()) {
-  makeBlocks(sea_);
+  blocks_ = phaseBlocks(sea_, kBlock);
   renew(meanHeading, meanSpeed);
 }
 

@@ -54,7 +54,6 @@ class ExcitationForce final : public ForceGenerator {
   struct Course {
     double heading, speed;
   };
-  void makeBlocks(const SeaState& sea);
   void setAmplitude(std::size_t component, const CVec6& froudeKrylov,
                     const CVec6& diffraction) noexcept;
   void renew(std::size_t component, const Course& course) noexcept;

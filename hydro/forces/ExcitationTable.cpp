@@ -1,14 +1,11 @@
 #include "hydro/forces/ExcitationTable.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
-#include <mutex>
 #include <string>
-#include <thread>
 
 #include "hydro/Errors.h"
+#include "hydro/ShareOut.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/database/Interpolation.h"
 #include "hydro/forces/SmallPanels.h"
@@ -25,7 +22,6 @@ constexpr double kUsualSpeed = 10.0;  // [m/s] at which b^x is weighed against b
 constexpr double kBasisError =
     1e-4;  // of the largest adjoint vector: what directions may leave out
 constexpr std::size_t kVectorNodes = 128;  // of ω_e
-constexpr int kParityModes[2][3] = {{Surge, Heave, Pitch}, {Sway, Roll, Yaw}};
 
 /// Phase of a wave at the ends of a ship against her middle [rad].
 double reachOf(double omega, double length, double gravity) {
@@ -36,9 +32,8 @@ double reachOf(double omega, double length, double gravity) {
 double phaseStep(double reach) { return kPhaseStep * std::sqrt(std::max(1.0, reach / 8.0)); }
 
 double lengthOf(const SurfaceMesh& mesh) {
-  double low = HUGE_VAL, high = -HUGE_VAL;
-  for (const Vec3& v : mesh.vertices) low = std::min(low, v.x()), high = std::max(high, v.x());
-  return high > low ? high - low : 1.0;
+  const Bounds box = bounds(mesh);
+  return box.high.x() > box.low.x() ? box.high.x() - box.low.x() : 1.0;
 }
 
 /// Orthonormal directions that hold all columns to `error` of the largest, the longest remainder first.
@@ -58,31 +53,6 @@ Eigen::MatrixXd directions(Eigen::MatrixXd columns, double error, std::size_t mo
   basis.conservativeResize(Eigen::NoChange, (found + 3) / 4 * 4);  // by fours, for the vector code
   basis.rightCols(basis.cols() - found).setZero();
   return basis;
-}
-
-/// work(0) … work(count − 1) on all cores; what it throws comes out of here.
-template <class Work>
-void shared(std::size_t count, Work work) {
-  std::atomic<std::size_t> next{0};
-  std::exception_ptr failure;
-  std::mutex mutex;
-  const auto run = [&] {
-    for (std::size_t i; (i = next++) < count;) {
-      try {
-        work(i);
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        failure = std::current_exception();
-        next = count;
-      }
-    }
-  };
-  std::vector<std::thread> pool;
-  for (unsigned t = 1; t < std::min<std::size_t>(std::thread::hardware_concurrency(), count); ++t)
-    pool.emplace_back(run);
-  run();
-  for (std::thread& thread : pool) thread.join();
-  if (failure) std::rethrow_exception(failure);
 }
 
 /// ω_I of the grid: each component's own if they are few, else steps of half a radian of phase.
@@ -172,8 +142,10 @@ void ExcitationTable::makeBasis(const std::vector<Coefficients::AdjointVectors>&
                                 const std::vector<Coefficients::AdjointVectors>& bx) {
   const Eigen::Index panels = b.front().cols();
   for (std::size_t p = 0; p < (symmetric_ ? 2u : 1u); ++p) {
-    std::vector<int> modes(kParityModes[p], kParityModes[p] + 3);
-    if (!symmetric_) modes = {0, 1, 2, 3, 4, 5};
+    std::vector<int> modes;
+    for (int mode = 0; mode < 6; ++mode) {
+      if (parityOf(mode) == p) modes.push_back(mode);
+    }
     Eigen::MatrixXd columns(panels, static_cast<Eigen::Index>(4 * b.size() * modes.size()));
     Eigen::Index at = 0;
     for (const int mode : modes) {
@@ -199,7 +171,7 @@ void ExcitationTable::project(const Coefficients::AdjointVectors& b,
                               const Coefficients::AdjointVectors& bx, double* row) const {
   for (const auto* vectors : {&b, &bx}) {
     for (int mode = 0; mode < 6; ++mode) {
-      const std::size_t p = symmetric_ && mode % 2 == 1 ? 1 : 0;
+      const std::size_t p = parityOf(mode);
       const Eigen::VectorXcd q =
           (symmetric_ ? 2.0 : 1.0) * (vectors->row(mode) * basis_[p].cast<Complex>()).transpose();
       for (Eigen::Index i = 0; i < q.size(); ++i) *row++ = q[i].real();
@@ -210,10 +182,11 @@ void ExcitationTable::project(const Coefficients::AdjointVectors& b,
 
 void ExcitationTable::makeRows(const Coefficients& c) {
   std::size_t size = 0;
-  for (const double omega : gridFrequencies(sea_, length_)) {
+  rowOmega_ = gridFrequencies(sea_, length_);
+  for (const double omega : rowOmega_) {
     const double reach = reachOf(omega, length_, sea_.gravity());
     const auto half = static_cast<std::size_t>(std::ceil(kPi * (reach / phaseStep(reach) + 4.0)));
-    rows_.push_back({omega, 2 * half, size});
+    rows_.push_back({2 * half, size});
     size += 2 * half * width_;
   }
   values_.assign(size, 0.0);
@@ -233,11 +206,12 @@ void ExcitationTable::makeRows(const Coefficients& c) {
       put(force.diffraction, at + 12);
     }
   };
-  shared(rows_.size(), [&](std::size_t i) { fillRow(rows_[i], fill); });
+  shareOut(rows_.size(), 0, [&](std::size_t i) { fillRow(i, fill); });
 }
 
 template <class Fill>
-void ExcitationTable::fillRow(const Row& row, const Fill& fill) {
+void ExcitationTable::fillRow(std::size_t i, const Fill& fill) {
+  const Row& row = rows_[i];
   for (std::size_t h = 0; h < row.headings; ++h) {
     double* at = &values_[row.offset + h * width_];
     if (symmetric_ && h > row.headings / 2) {
@@ -245,7 +219,7 @@ void ExcitationTable::fillRow(const Row& row, const Fill& fill) {
       continue;
     }
     const double beta = 2.0 * kPi * static_cast<double>(h) / static_cast<double>(row.headings);
-    fill({row.omega, beta, sea_.gravity()}, at);
+    fill({rowOmega_[i], beta, sea_.gravity()}, at);
   }
 }
 

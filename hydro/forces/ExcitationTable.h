@@ -42,12 +42,13 @@ class ExcitationTable {
   double error() const noexcept { return error_; }
 
  private:
-  struct Row {  // of one ω_I: all headings
-    double omega = 0.0;
+  struct Row {                             // of one ω_I: all headings
     std::size_t headings = 0, offset = 0;  // in values_, width_ numbers a heading
   };
   static constexpr std::size_t kMostDirections = 64;  // of each parity
 
+  /// Which directions a mode sees: 0 even (all of an unsymmetric hull), 1 odd.
+  std::size_t parityOf(int mode) const noexcept { return symmetric_ && mode % 2 == 1 ? 1 : 0; }
   void checkComponents(const Coefficients& c) const;
   void makeVectors(const Coefficients& c);
   void makeBasis(const std::vector<Coefficients::AdjointVectors>& b,
@@ -56,7 +57,7 @@ class ExcitationTable {
                double* row) const;
   void makeRows(const Coefficients& c);
   template <class Fill>
-  void fillRow(const Row& row, const Fill& fill);
+  void fillRow(std::size_t i, const Fill& fill);
   static void put(const CVec6& force, double* at);
   void enter(const IncidentVelocity& v, double* at) const;
   void mirror(const double* from, double* to) const;
@@ -76,7 +77,8 @@ class ExcitationTable {
   double length_ = 1.0;
   std::array<Eigen::MatrixXd, 2> basis_;  // panels × directions, even and odd
   std::array<std::size_t, 2> rank_{};
-  std::size_t width_ = 12;  // F_I, then Re q, Im q of both parities; or F_D at rest
+  std::size_t width_ = 12;        // F_I, then Re q, Im q of both parities; or F_D at rest
+  std::vector<double> rowOmega_;  // ω_I of the rows
   std::vector<Row> rows_;
   std::vector<double> values_;
   double last_ = 0.0, vectorStep_ = 1.0;  // ω_e grid

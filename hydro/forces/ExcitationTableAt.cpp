@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "hydro/VectorMath.h"
+#include "hydro/database/Interpolation.h"
 #include "hydro/forces/ExcitationTable.h"
 
 namespace cutwater {
@@ -80,7 +81,7 @@ CVec6 ExcitationTable::diffraction(double* q, double omegaE, double speed) const
     for (int part = 0; part < 2; ++part) {
       const double share = weights[n] * (part == 0 ? omega : speed);
       for (int mode = 0; mode < 6; ++mode) {
-        const std::size_t p = symmetric_ && mode % 2 == 1 ? 1 : 0;
+        const std::size_t p = parityOf(mode);
         double re = 0.0, im = 0.0;
         complexDot(b, q + (p == 0 ? 0 : 2 * rank_[0]), rank_[p], &re, &im);
         force[mode] += share * Complex(re, im);
@@ -106,17 +107,10 @@ ExcitationTable::Amplitude ExcitationTable::atWave(double omega, double beta,
   }
   std::array<double, 12 + 4 * kMostDirections> sum;
   std::fill_n(sum.begin(), width_, 0.0);
-  const auto above = std::upper_bound(rows_.begin(), rows_.end(), omega,
-                                      [](double w, const Row& row) { return w < row.omega; });
-  const auto right = static_cast<std::size_t>(above - rows_.begin());
-  const std::size_t count = std::min<std::size_t>(4, rows_.size());
-  const std::size_t first = std::min(rows_.size() - count, right < 2 ? 0 : right - 2);
-  for (std::size_t i = first; i < first + count; ++i) {
-    double weight = 1.0;
-    for (std::size_t n = first; n < first + count; ++n) {
-      if (n != i) weight *= (omega - rows_[n].omega) / (rows_[i].omega - rows_[n].omega);
-    }
-    if (weight != 0.0) addHeadings(rows_[i], beta, weight, sum.data());
+  const LocalCubic cubic = localCubic(rowOmega_, omega);
+  for (std::size_t i = 0; i < cubic.count; ++i) {
+    if (cubic.weight[i] != 0.0)
+      addHeadings(rows_[cubic.first + i], beta, cubic.weight[i], sum.data());
   }
   Amplitude result;
   for (int j = 0; j < 6; ++j) {

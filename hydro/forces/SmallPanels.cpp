@@ -14,14 +14,9 @@ SmallPanel starboard(SmallPanel p) {
   return p;
 }
 
-/// κ = k(−i cos β, i sin β, 1) and the mean of e^{κ·x} over a panel, and of (x − c) e^{κ·x}.
+/// The mean of e^{κ·x} over a panel, and of (x − c) e^{κ·x}.
 struct PlaneWave {
   Eigen::Vector3cd kappa;
-  explicit PlaneWave(const AiryWave& wave) {
-    const double k = wave.omega * wave.omega / wave.gravity;
-    kappa = k * Eigen::Vector3cd(Complex(0.0, -std::cos(wave.heading)),
-                                 Complex(0.0, std::sin(wave.heading)), 1.0);
-  }
   Complex mean(const SmallPanel& p, Eigen::Vector3cd& moment) const {
     const double phase = kappa.x().imag() * p.centre.x() + kappa.y().imag() * p.centre.y();
     const Complex at =
@@ -50,17 +45,12 @@ std::vector<SmallPanel> smallPanels(const PanelMesh& mesh, const Vec3& cog) {
 
 CVec6 froudeKrylovForce(const std::vector<SmallPanel>& panels, const AiryWave& wave, bool symmetric,
                         double density) {
-  const PlaneWave e(wave);
+  const PlaneWave e{wave.exponent()};
   CVec6 sum = CVec6::Zero();
   const auto add = [&](const SmallPanel& p) {
     Eigen::Vector3cd arm;
     const Complex mean = e.mean(p, arm);
-    arm += mean * p.arm;
-    const Vec3& n = p.normal;
-    sum.head<3>() += p.area * mean * n;
-    sum[3] += p.area * (arm.y() * n.z() - arm.z() * n.y());
-    sum[4] += p.area * (arm.z() * n.x() - arm.x() * n.z());
-    sum[5] += p.area * (arm.x() * n.y() - arm.y() * n.x());
+    sum += p.area * timesNormal(mean, arm + mean * p.arm, p.normal);
   };
   for (const SmallPanel& p : panels) {
     add(p);
@@ -71,26 +61,17 @@ CVec6 froudeKrylovForce(const std::vector<SmallPanel>& panels, const AiryWave& w
 
 IncidentVelocity incidentNormalVelocity(const std::vector<SmallPanel>& panels, const AiryWave& wave,
                                         bool symmetric) {
-  const PlaneWave e(wave);
+  const PlaneWave e{wave.exponent()};
   const Complex amplitude(0.0, -wave.gravity / wave.omega);
-  const auto count = static_cast<Eigen::Index>(panels.size());
-  IncidentVelocity v{Eigen::VectorXcd(count), Eigen::VectorXcd(symmetric ? count : 0)};
   const auto mean = [&](const SmallPanel& p) {
     Eigen::Vector3cd unused;
     const Complex across =
         e.kappa.x() * p.normal.x() + e.kappa.y() * p.normal.y() + e.kappa.z() * p.normal.z();
     return amplitude * across * e.mean(p, unused);
   };
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const SmallPanel& p = panels[static_cast<std::size_t>(i)];
-    const Complex port = mean(p);
-    v.even[i] = port;
-    if (!symmetric) continue;
-    const Complex other = mean(starboard(p));
-    v.even[i] = 0.5 * (port + other);
-    v.odd[i] = 0.5 * (port - other);
-  }
-  return v;
+  return evenAndOdd(panels.size(), symmetric, [&](std::size_t i, bool other) {
+    return mean(other ? starboard(panels[i]) : panels[i]);
+  });
 }
 
 }  // namespace cutwater

@@ -25,6 +25,25 @@ struct IncidentVelocity {
 IncidentVelocity incidentNormalVelocity(const PanelMesh& mesh, const AiryWave& wave,
                                         const Vec3& cog);
 
+/// e^{κ·x} on one panel, n_1..6 times it: `sum` its integral (or mean), `arm` that of (x − G) e^{κ·x}.
+CVec6 timesNormal(Complex sum, const Eigen::Vector3cd& arm, const Vec3& normal);
+
+/// Both parts of v from its means mean(i, starboard) over panel i and over its mirror image.
+template <class Mean>
+IncidentVelocity evenAndOdd(std::size_t panels, bool symmetric, const Mean& mean) {
+  const auto count = static_cast<Eigen::Index>(panels);
+  IncidentVelocity v{Eigen::VectorXcd(count), Eigen::VectorXcd(symmetric ? count : 0)};
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    v.even[i] = mean(at, false);
+    if (!symmetric) continue;
+    const Complex port = v.even[i], starboard = mean(at, true);
+    v.even[i] = 0.5 * (port + starboard);
+    v.odd[i] = 0.5 * (port - starboard);
+  }
+  return v;
+}
+
 /// Σ_i b_j,i v_i from the adjoint vectors of one frequency (6 × panels, Coefficients::adjoint):
 /// F^ω_j of `adjoint`, F^U_j of `adjointX`; F_D = ω_e F^ω + U F^U, phase and units as
 /// froudeKrylovForce. Exactly what solving the diffraction problem anew would give.

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
-#include "hydro/VectorMath.h"
+#include "hydro/waves/PhaseBlocks.h"
 
 namespace cutwater {
 
@@ -16,16 +16,15 @@ void check(bool good, std::size_t index, const char* field, double value) {
                                                field + " = " + std::to_string(value));
 }
 
-constexpr std::size_t kBlock = 20;
+using namespace phase_blocks;
+constexpr std::size_t kBlock = kPhase + kLanes;
 
 /// Σ a cos(ω t − k_x x − k_y y + ε) over blocks of four.
 CUTWATER_VECTOR double sumOfWaves(const double* block, std::size_t count, double t, double x,
                                   double y) noexcept {
   Four sum = {};
   for (std::size_t i = 0; i < count; ++i, block += kBlock) {
-    const Four phase = loadFour(block) * t + loadFour(block + 4) - loadFour(block + 8) * x -
-                       loadFour(block + 12) * y;
-    sum += loadFour(block + 16) * sineCosine(phase).cosine;
+    sum += loadFour(block + kPhase) * sineCosine(phaseAt(block, t, x, y)).cosine;
   }
   return sumOf(sum);
 }
@@ -49,16 +48,9 @@ SeaState::SeaState(std::vector<WaveComponent> components, double gravity, double
     check(std::isfinite(c.heading), i, "heading", c.heading);
     waveNumber_.push_back(c.omega * c.omega / gravity);
   }
-  blocks_.assign((components_.size() + 3) / 4 * kBlock, 0.0);
-  for (std::size_t i = 0; i < components_.size(); ++i) {
-    const WaveComponent& c = components_[i];
-    double* at = &blocks_[i / 4 * kBlock + i % 4];
-    at[0] = c.omega;
-    at[4] = c.phase;
-    at[8] = waveNumber_[i] * std::cos(c.heading);
-    at[12] = -waveNumber_[i] * std::sin(c.heading);
-    at[16] = c.amplitude;
-  }
+  blocks_ = phaseBlocks(*this, kBlock);
+  for (std::size_t i = 0; i < components_.size(); ++i)
+    placeOf(blocks_, kBlock, i)[kPhase] = components_[i].amplitude;
 }
 
 double SeaState::ramp(double t) const noexcept {

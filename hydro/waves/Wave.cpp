@@ -14,15 +14,17 @@ Complex AiryWave::shape(const Vec3& x) const noexcept {
   return std::polar(std::exp(k * x.z()), phase);
 }
 
+Eigen::Vector3cd AiryWave::exponent() const noexcept {
+  const double k = waveNumber();
+  return {Complex(0.0, -k * std::cos(heading)), Complex(0.0, k * std::sin(heading)), k};
+}
+
 Complex AiryWave::potential(const Vec3& x) const noexcept {
   return Complex(0.0, gravity / omega) * shape(x);
 }
 
 Eigen::Vector3cd AiryWave::velocity(const Vec3& x) const noexcept {
-  const double k = waveNumber();
-  const Eigen::Vector3cd direction(Complex(0.0, -std::cos(heading)),
-                                   Complex(0.0, std::sin(heading)), 1.0);
-  return k * potential(x) * direction;
+  return potential(x) * exponent();
 }
 
 }  // namespace cutwater

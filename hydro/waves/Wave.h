@@ -19,6 +19,8 @@ struct AiryWave {
   double waveNumber() const noexcept { return omega * omega / gravity; }
   /// e^{kz − ik(x cos β − y sin β)}; x, y from the phase origin, z from calm water.
   Complex shape(const Vec3& x) const noexcept;
+  /// κ [1/m] of that shape, e^{κ·x}.
+  Eigen::Vector3cd exponent() const noexcept;
   /// φ_I [m²/s per m].
   Complex potential(const Vec3& x) const noexcept;
   /// ∇φ_I [m/s per m].
