@@ -2,21 +2,14 @@
 
 #include "hydro/bem/BuildCoefficients.h"
 #include "hydro/forces/WaveExcitation.h"
-#include "hydro/geometry/Shapes.h"
+#include "tests/bem/Frigate.h"
 #include "tests/support/Results.h"
 
 // Diffraction at forward speed: the four ways to have it, and the sign of the encounter frequency.
 namespace cutwater::test {
 namespace {
 
-ShipParticulars frigate(int along, int girth) {
-  ShipParticulars ship;
-  ship.wetSurface = wetFrigate(along, girth);
-  ship.symmetric = true;
-  ship.cog = Vec3(-2.4165, 0.0, 1.29);
-  ship.volume = 4509.0;
-  return ship;
-}
+ShipParticulars frigate(int along, int girth) { return frigateAfloat({along, girth}); }
 
 /// Up to 2.4 rad/s, which these panels resolve.
 SolveSettings settings(Influence influence, double step, int count) {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "hydro/bem/BuildCoefficients.h"
-#include "hydro/geometry/Shapes.h"
 #include "hydro/memory/RetardationMatrix.h"
+#include "tests/bem/Frigate.h"
 #include "tests/support/Results.h"
 
 // What solver and memory owe each other on a ship: A(∞) from A and B at any frequency, ∫K = 0.
@@ -19,17 +19,11 @@ std::vector<double> tenths(int last) {
 }
 
 Coefficients frigate(int panels, double lidPanelLength, const std::vector<double>& omega) {
-  ShipParticulars ship;
-  const FrigateDivision division = frigateDivision(panels);
-  ship.wetSurface = wetFrigate(division.along, division.girth);
-  ship.symmetric = true;
-  ship.cog = Vec3(-2.4165, 0.0, 1.29);
-  ship.volume = 4509.0;
   SolveSettings settings;
   settings.omega = omega;
   settings.lidPanelLength = lidPanelLength;
   settings.xDerivatives = false;
-  return buildCoefficients(ship, settings);
+  return buildCoefficients(test::frigateAfloat(frigateDivision(panels)), settings);
 }
 
 /// A(∞) from A and B at each frequency of 0.3 to `last` rad/s, less the solver's, of √(A_jj A_kk).

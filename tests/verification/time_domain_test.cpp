@@ -12,6 +12,7 @@
 #include "hydro/memory/ConsistentLimit.h"
 #include "hydro/memory/RadiationModel.h"
 #include "hydro/waves/Spectrum.h"
+#include "tests/bem/Frigate.h"
 #include "tests/support/Results.h"
 
 // What the time domain does at one frequency is what the database says of it, at every speed; and the
@@ -31,15 +32,9 @@ std::vector<double> gridOfDatabase() {
 }
 
 Coefficients solvedFrigate(int panels, const std::vector<double>& omega = gridOfDatabase()) {
-  const FrigateDivision division = frigateDivision(panels);
-  ShipParticulars ship;
-  ship.wetSurface = wetFrigate(division.along, division.girth);
-  ship.symmetric = true;
-  ship.cog = Vec3(-2.4165, 0.0, 1.29);
-  ship.volume = 4509.0;
   SolveSettings settings;
   settings.omega = omega;
-  return buildCoefficients(ship, settings);
+  return buildCoefficients(test::frigateAfloat(frigateDivision(panels)), settings);
 }
 
 struct Band {
