@@ -42,21 +42,6 @@ int getrs(char form, int n, int columns, const Complex* a, const int* p, Complex
   return LAPACKE_zgetrs_work(LAPACK_COL_MAJOR, form, n, columns, a, n, p, b, n);
 }
 
-int gecon(int n, const float* a, float norm, float* reciprocal) {
-  const auto size = static_cast<std::size_t>(n);
-  std::vector<float> work(4 * size);
-  std::vector<int> whole(size);
-  return LAPACKE_sgecon_work(LAPACK_COL_MAJOR, 'I', n, a, n, norm, reciprocal, work.data(),
-                             whole.data());
-}
-int gecon(int n, const LowComplex* a, float norm, float* reciprocal) {
-  const auto size = static_cast<std::size_t>(n);
-  std::vector<LowComplex> work(2 * size);
-  std::vector<float> real(2 * size);
-  return LAPACKE_cgecon_work(LAPACK_COL_MAJOR, 'I', n, a, n, norm, reciprocal, work.data(),
-                             real.data());
-}
-
 void gemm(CBLAS_TRANSPOSE form, int m, int n, int k, const double* a, int lda, const double* b,
           double* c) {
   cblas_dgemm(CblasColMajor, form, CblasNoTrans, m, n, k, 1.0, a, lda, b, k, 0.0, c, m);
@@ -121,11 +106,14 @@ Factorization<Scalar>::Factorization(Matrix matrix, LowMatrix room)
   check(getrf(static_cast<int>(n), lu_.data(), pivots_.data()), "getrf");
 }
 
-// Columns are scaled to 1 for single precision, which has no numbers below 1e-38.
+// Columns are scaled to 1 for single precision, which has no numbers below 1e-38. A product with the
+// matrix costs as much as a solve: the first residual tells how good one solve is, the second solve is
+// taken to be four times worse. Measured on frigates with lid: 0.2 to 2 times what is expected here.
 template <typename Scalar>
 typename Factorization<Scalar>::Matrix Factorization<Scalar>::refined(char form,
                                                                       const Matrix& b) const {
   constexpr int kMostSteps = 10;
+  constexpr double kWorse = 4.0;
   const auto n = static_cast<int>(lu_.rows()), columns = static_cast<int>(b.cols());
   if (columns == 0) return b;
   const auto greatest = [](const Matrix& m) -> Eigen::ArrayXd {
@@ -133,15 +121,20 @@ typename Factorization<Scalar>::Matrix Factorization<Scalar>::refined(char form,
   };
   const Eigen::ArrayXd size = greatest(b);
   Matrix x = Matrix::Zero(b.rows(), b.cols()), rest = b;
+  double ofOneSolve = HUGE_VAL;  // backward error
   for (int step = 0; step < kMostSteps; ++step) {
     const Eigen::VectorXd scale = greatest(rest).max(1e-300).matrix();
-    LowMatrix change = (rest * scale.cwiseInverse().asDiagonal()).template cast<Low>();
-    check(getrs(form, n, columns, lu_.data(), pivots_.data(), change.data()), "getrs");
-    x += change.template cast<Scalar>() * scale.asDiagonal();
+    LowMatrix low = (rest * scale.cwiseInverse().asDiagonal()).template cast<Low>();
+    check(getrs(form, n, columns, lu_.data(), pivots_.data(), low.data()), "getrs");
+    const Matrix change = low.template cast<Scalar>() * scale.asDiagonal();
+    x += change;
+    const Eigen::ArrayXd reached = greatest(x);
+    if ((kWorse * ofOneSolve * greatest(change) <= kBackwardError * reached).all()) return x;
     rest = b - product<Scalar>(matrix_, form == 'T', x);
-    const Eigen::ArrayXd left = greatest(rest);
-    if (!left.allFinite()) break;
-    if ((left <= kBackwardError * (norm_ * greatest(x) + size)).all()) return x;
+    const Eigen::ArrayXd error = greatest(rest) / (norm_ * reached + size).max(1e-300);
+    if (!error.allFinite()) break;
+    if ((error <= kBackwardError).all()) return x;
+    if (step == 0) ofOneSolve = error.maxCoeff();
   }
   return solvedInDouble(form, b);
 }
@@ -157,12 +150,38 @@ typename Factorization<Scalar>::Matrix Factorization<Scalar>::solvedInDouble(cha
   return b;
 }
 
+// ‖M⁻¹‖ in the max-row-sum norm is ‖M⁻ᵀ‖₁, which an estimate from below finds in three solves: of the mean of
+// all columns, of the sum of them in which the most is in phase, taken at its greatest column; a
+// vector of alternating signs guards against cancellation. ?gecon does the same in five or more.
+//                                                                    [Hager 1984, Higham 1988]
 template <typename Scalar>
 double Factorization<Scalar>::condition() const {
-  float reciprocal = 0.0;
-  check(gecon(static_cast<int>(lu_.rows()), lu_.data(), static_cast<float>(norm_), &reciprocal),
-        "gecon");
-  return 1.0 / std::max(static_cast<double>(reciprocal), 1e-300);  // finite: it goes into the file
+  const auto n = static_cast<int>(lu_.rows());
+  const auto solve = [&](char form, LowMatrix& b) {
+    check(getrs(form, n, static_cast<int>(b.cols()), lu_.data(), pivots_.data(), b.data()),
+          "getrs");
+  };
+  LowMatrix y(n, 2);
+  for (int i = 0; i < n; ++i) {
+    y(i, 0) = 1.0F / static_cast<float>(n);
+    y(i, 1) = (i % 2 == 0 ? 1.0F : -1.0F) * (1.0F + static_cast<float>(i) / static_cast<float>(n));
+  }
+  const double put = y.col(1).cwiseAbs().sum();
+  solve('T', y);
+  double norm = std::max<double>(y.col(0).cwiseAbs().sum(), y.col(1).cwiseAbs().sum() / put);
+  LowMatrix phases(n, 1);
+  for (int i = 0; i < n; ++i) {
+    const float size = std::abs(y(i, 0));
+    phases(i, 0) = size > 0.0F ? Eigen::numext::conj(y(i, 0)) / size : Low(1.0F);
+  }
+  solve('N', phases);
+  Eigen::Index greatest = 0;
+  phases.col(0).cwiseAbs().maxCoeff(&greatest);
+  LowMatrix column = LowMatrix::Zero(n, 1);
+  column(greatest, 0) = 1.0F;
+  solve('T', column);
+  norm = norm_ * std::max<double>(norm, column.cwiseAbs().sum());
+  return std::isfinite(norm) ? std::max(norm, 1.0) : 1e300;  // finite: it goes into the file
 }
 
 OneBlasThread::OneBlasThread() : before_(openblas_get_num_threads()) {

@@ -6,16 +6,17 @@
 namespace cutwater {
 
 /// LU factors of a square matrix, real or complex: factored in single precision (LuByHalves.h; real ones
-/// by LAPACK), which takes half the time, the solutions refined in double precision until the residual says that they are
-/// those of a matrix changed by less than kBackwardError of its norm. Where that does not come about
-/// (condition numbers above some 1e6) the factors are taken again in double precision.
+/// by LAPACK), which takes half the time, the solutions refined in double precision until they are those
+/// of a matrix changed by less than kBackwardError of its norm: by their residual, or by what the first
+/// residual says of a second solve. Where that does not come about (condition numbers above some 1e6)
+/// the factors are taken again in double precision.
 /// Immutable; any thread may call.
 template <typename Scalar>
 class Factorization {
  public:
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
   /// ‖b − Mx‖ / (‖M‖·‖x‖ + ‖b‖), max norms, of every column.
-  static constexpr double kBackwardError = 1e-12;
+  static constexpr double kBackwardError = 1e-10;
 
   using Low = std::conditional_t<std::is_same_v<Scalar, double>, float, std::complex<float>>;
   using LowMatrix = Eigen::Matrix<Low, Eigen::Dynamic, Eigen::Dynamic>;
