@@ -214,30 +214,34 @@ void InfluenceMatrices::addFarWave(const Pair& pair, const FarWave::At& at,
   add(pair, at, sum, sumX, systems);
 }
 
+// Averaged equations have as many points on the field as on the source panel, so that both directions share
+// them; others, and settings.sourcePoints, take each direction by itself.
 void InfluenceMatrices::addNearWaves(const FarWave::At& at, Systems& systems) const {
   const double K = at.K;
-  const bool split = settings().sourcePoints == 0;
+  const bool share = settings().sourcePoints == 0 && settings().galerkinPoints > 1;
+  const auto give = [&](const NearPair& near, const NearSums& sums) {
+    const double area = pairs_.panel(near.pair.field).area;
+    const WaveIntegral wave = nearWave(sums, area, near.image, pairs_.direction(near.pair), K);
+    const Complex x = settings().xDerivative
+                          ? nearWave(sums, area, near.alongX, -Vec3::UnitX(), K).along
+                          : Complex(0.0, 0.0);
+    add(near.pair, at, wave, x, systems);
+  };
   for (int source = 0; source < at.all; ++source) {
     for (const NearPair& near : rankine_.near(source)) {
-      const Pair& pair = near.pair;
-      if (pair.field >= at.all) continue;
-      const int n = pairs_.pointsPerSide(pair.field, source, K);
-      const auto& on = pairs_.points(source, split ? std::max(2, n) : n);
-      const Vec3 e = pairs_.direction(pair);
-      const double area = pairs_.panel(pair.field).area;
-      WaveIntegral sum{};
-      Complex sumX = 0.0;
-      for (const QuadraturePoint& seen :
-           pairs_.points(pair.field, pairs_.fieldPointsPerSide(pair, K))) {
-        const Vec3 x = imageInY(seen.x, pair.mirrored);
-        const double weight = seen.weight / area;
-        const WaveIntegral one = nearWave(x, near.image, e, on, K);
-        sum.value += weight * one.value;
-        sum.along += weight * one.along;
-        if (settings().xDerivative)
-          sumX += weight * nearWave(x, near.alongX, -Vec3::UnitX(), on, K).along;
+      const auto& [field, of, mirrored] = near.pair;
+      if (field >= at.all || (share && field > source)) continue;
+      if (!share) {
+        const int n = pairs_.pointsPerSide(field, source, K);
+        const auto& on = pairs_.points(source, settings().sourcePoints == 0 ? std::max(2, n) : n);
+        const auto& seen = pairs_.points(field, pairs_.fieldPointsPerSide(near.pair, K));
+        give(near, NearSums(seen, mirrored, on, K));
+        continue;
       }
-      add(pair, at, sum, sumX, systems);
+      const NearSums sums(pairs_.fewPoints(source, field, K), mirrored,
+                          pairs_.fewPoints(field, source, K), K);
+      give(near, sums);
+      if (field < source) give(rankine_.near(field)[near.opposite], sums.exchanged(mirrored));
     }
   }
 }

@@ -24,8 +24,8 @@ enum class IdleLid {
 ///     ½σ(x) + ∫ σ ∂G/∂n_x dS = v,  φ = ∫ G σ dS,  ∂φ/∂x = ½n_x σ + ∫ σ ∂G/∂x dS   (source, [M03]
 ///                                                                        (49)-(54))
 ///     G = −(1/4π)[1/R + 1/R₁ + K F(X, Y) − 2πiK e^{−Y}J₀(X)],   K = ω²/g
-/// Each equation is averaged over its panel by 4 or 9 points (Galerkin; the wave term by 4 where it
-/// needs more than one), or taken at its centroid.
+/// Each equation is averaged over its panel by 4 or 9 points (Galerkin; the wave term by what the wave
+/// length asks for), or taken at its centroid.
 /// With Galerkin weights the two formulations are transposes of each other to quadrature error. 1/R
 /// and 1/R₁ are integrated exactly, once, for all frequencies; the wave term of far pairs by one
 /// evaluation and the panels' extent (FarWave.h), of pairs whose image is near by its singular part and

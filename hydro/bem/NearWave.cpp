@@ -76,88 +76,130 @@ WavePoint::WavePoint(double K, double X, double Y) {
 // whose limit K → ∞ is the rest system with φ = 0 on z = 0, panel by panel.
 namespace {
 
-constexpr std::size_t kMost = 48;  // points of a triangle by three 4 × 4 rules
-
-/// Where the points of the panel lie as seen from x, and the wave term there. Filled up to a multiple
-/// of four with points of no weight.
+/// Pairs of points whose wave terms are worked out together. Filled up to a multiple of four with pairs
+/// of no weight.
 struct Seen {
+  static constexpr std::size_t kMost = 64;
   struct alignas(32) Column : std::array<double, kMost> {
     CUTWATER_INLINE Four four(std::size_t i) const { return loadFour(data() + i); }
   };
   std::size_t count = 0;
   Column weight, X, Y, R;
-  Column along;  // e_h·d, d the horizontal distance
+  Column dx, dy;  // K times the distance
   Column F, FX, J0, J1, Y0, Y1;
 
-  CUTWATER_INLINE Seen(const Vec3& x, const Vec3& e, std::span<const QuadraturePoint> points,
-                       double K) {
-    for (const QuadraturePoint& point : points) {
-      const double dx = point.x.x() - x.x(), dy = point.x.y() - x.y();
-      put(point.weight, K * std::sqrt(dx * dx + dy * dy), -K * (x.z() + point.x.z()),
-          e.x() * dx + e.y() * dy);
-    }
-    while (count % 4 != 0) put(0.0, 1.0, 1.0, 0.0);
+  CUTWATER_INLINE void put(double area, double x, double y, double depth) {
+    weight[count] = area;
+    dx[count] = x;
+    dy[count] = y;
+    Y[count++] = depth;
+  }
+  CUTWATER_INLINE void evaluate() {
+    while (count % 4 != 0) put(0.0, 1.0, 0.0, 1.0);
     for (std::size_t i = 0; i < count; i += 4) {
-      const Four r = squareRoot(X.four(i) * X.four(i) + Y.four(i) * Y.four(i));
+      const Four hh = dx.four(i) * dx.four(i) + dy.four(i) * dy.four(i);
+      const Four r = squareRoot(hh + Y.four(i) * Y.four(i));
+      storeFour(&X[i], squareRoot(hh));
       storeFour(&R[i], r);
       storeFour(&Y[i], r > 0.0 ? Y.four(i) : r + 1.0);  // where R = 0 the wave term is not used
     }
     waveTerms(X.data(), Y.data(), count,
               {F.data(), FX.data(), J0.data(), J1.data(), Y0.data(), Y1.data()});
   }
-
- private:
-  CUTWATER_INLINE void put(double area, double horizontal, double depth, double towards) {
-    weight[count] = area;
-    X[count] = horizontal;
-    Y[count] = depth;
-    along[count++] = towards;
-  }
 };
 
-/// Sums over the points, weight w.
-struct Sums {
-  Four area{}, smooth{}, smoothHorizontal{}, oscillation{}, oscillationX{}, rest{}, restAlong{};
+/// NearSums, four at a time.
+struct FourSums {
+  Four weights{}, smooth{}, rest{}, oscillation{};
+  Four smoothX{}, smoothY{}, restX{}, restY{}, oscillationX{}, oscillationY{}, restUp{};
 
-  /// Four points from i on.  @param up  of the direction of the derivative.
-  CUTWATER_INLINE void add(const Seen& seen, std::size_t i, double K, double up) {
+  /// Four pairs from i on.
+  CUTWATER_INLINE void add(const Seen& seen, std::size_t i) {
     const Four weight = seen.weight.four(i), X = seen.X.four(i), Y = seen.Y.four(i);
     const Four F = seen.F.four(i), FX = seen.FX.four(i), zero = {};
     const auto apart = seen.R.four(i) > 0.0, beside = X > 0.0;
     const Four R = apart ? seen.R.four(i) : zero + 1.0;
-    const Four towards = beside ? weight * K * seen.along.four(i) / X : zero;
+    const Four towards = beside ? weight / X : zero;
     const Four perR = 1.0 / R, cube = perR * perR * perR, FY = -F - 2.0 * perR;
-    area += weight;
+    const Four x = towards * seen.dx.four(i), y = towards * seen.dy.four(i);
+    weights += weight;
     smooth += weight * (apart ? F + 2.0 * logarithm(0.5 * (R + Y)) : zero - 2.0 * kEulerGamma);
-    smoothHorizontal += towards * (FX + 2.0 * X * perR / (R + Y));
     rest += apart ? weight * (F + 2.0 * perR) : zero;
-    restAlong +=
-        towards * (FX - 2.0 * X * cube) - (apart ? weight * up * (FY - 2.0 * Y * cube) : zero);
     oscillation += weight * (apart ? seen.J0.four(i) : zero + 1.0);
-    oscillationX += towards * seen.J1.four(i);
+    const Four smoothSlope = FX + 2.0 * X * perR / (R + Y), restSlope = FX - 2.0 * X * cube;
+    const Four oscillationSlope = seen.J1.four(i);
+    smoothX += x * smoothSlope;
+    smoothY += y * smoothSlope;
+    restX += x * restSlope;
+    restY += y * restSlope;
+    oscillationX += x * oscillationSlope;
+    oscillationY += y * oscillationSlope;
+    restUp += apart ? weight * (FY - 2.0 * Y * cube) : zero;
+  }
+  CUTWATER_INLINE void addAll(Seen& seen) {
+    seen.evaluate();
+    for (std::size_t i = 0; i < seen.count; i += 4) add(seen, i);
+    seen.count = 0;
   }
 };
 
-CUTWATER_INLINE double sum(Four x) { return (x[0] + x[1]) + (x[2] + x[3]); }
+CUTWATER_VECTOR void addPairs(std::span<const QuadraturePoint> field, bool mirrored,
+                              std::span<const QuadraturePoint> source, double K, NearSums& to) {
+  Seen seen;
+  FourSums sums;
+  const double side = mirrored ? -1.0 : 1.0;
+  for (const QuadraturePoint& a : field)
+    for (const QuadraturePoint& b : source) {
+      seen.put(a.weight * b.weight, K * (b.x.x() - a.x.x()), K * (b.x.y() - side * a.x.y()),
+               -K * (a.x.z() + b.x.z()));
+      if (seen.count == Seen::kMost) sums.addAll(seen);
+    }
+  if (seen.count > 0) sums.addAll(seen);
+  to.weights = sumOf(sums.weights);
+  to.smooth = sumOf(sums.smooth);
+  to.rest = sumOf(sums.rest);
+  to.oscillation = sumOf(sums.oscillation);
+  to.smoothAlong = {sumOf(sums.smoothX), sumOf(sums.smoothY)};
+  to.restAlong = {sumOf(sums.restX), sumOf(sums.restY)};
+  to.oscillationAlong = {sumOf(sums.oscillationX), sumOf(sums.oscillationY)};
+  to.restUp = sumOf(sums.restUp);
+}
 
 }  // namespace
 
-CUTWATER_VECTOR WaveIntegral nearWave(const Vec3& x, const NearImage& image, const Vec3& along,
-                                      std::span<const QuadraturePoint> points, double K) {
-  const double share = inverseShare(1.0 / (K * image.distance));
-  const Seen seen(x, along, points, K);
-  Sums sums;
-  for (std::size_t i = 0; i < seen.count; i += 4) sums.add(seen, i, K, along.z());
+NearSums::NearSums(std::span<const QuadraturePoint> field, bool mirrored,
+                   std::span<const QuadraturePoint> source, double K) {
+  addPairs(field, mirrored, source, K, *this);
+}
+
+NearSums NearSums::exchanged(bool mirrored) const {
+  const auto turned = [mirrored](const Horizontal& along) {
+    return Horizontal{-along.x, mirrored ? along.y : -along.y};
+  };
+  NearSums back = *this;
+  back.smoothAlong = turned(smoothAlong);
+  back.restAlong = turned(restAlong);
+  back.oscillationAlong = turned(oscillationAlong);
+  return back;
+}
+
+WaveIntegral nearWave(const NearSums& sums, double fieldArea, const NearImage& image,
+                      const Vec3& along, double K) {
+  const double share = inverseShare(1.0 / (K * image.distance)), per = 1.0 / fieldArea;
+  const auto towards = [&](const NearSums::Horizontal& d) {
+    return per * (along.x() * d.x + along.y() * d.y);
+  };
   const double value =
-      K * (sum(sums.smooth) - 2.0 * (image.log + std::log(0.5 * K) * sum(sums.area)));
+      K * (per * sums.smooth - 2.0 * (image.log + std::log(0.5 * K) * per * sums.weights));
   const double vertical = K * value + 2.0 * K * image.inverse;
-  const double horizontal = K * K * sum(sums.smoothHorizontal) - 2.0 * K * image.logAlong;
-  const double shortValue = K * sum(sums.rest) - 2.0 * image.inverse;
-  const double shortAlong = K * K * sum(sums.restAlong) - 2.0 * image.inverseAlong;
-  const double oscillation = sum(sums.oscillation), oscillationX = sum(sums.oscillationX);
+  const double horizontal = K * K * towards(sums.smoothAlong) - 2.0 * K * image.logAlong;
+  const double shortValue = K * per * sums.rest - 2.0 * image.inverse;
+  const double shortAlong =
+      K * K * (towards(sums.restAlong) - along.z() * per * sums.restUp) - 2.0 * image.inverseAlong;
+  const double oscillation = per * sums.oscillation;
   return {std::lerp(value, shortValue, share) - kTwoPiI * K * oscillation,
           std::lerp(horizontal + along.z() * vertical, shortAlong, share) +
-              kTwoPiI * K * K * (oscillationX - along.z() * oscillation)};
+              kTwoPiI * K * K * (towards(sums.oscillationAlong) - along.z() * oscillation)};
 }
 
 }  // namespace cutwater

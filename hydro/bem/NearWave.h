@@ -46,10 +46,31 @@ CUTWATER_INLINE Number inverseShare(Number perR) {
   return 1.0 / (1.0 + square * square);
 }
 
-/// With the singular part exact and the rest at the `points` of the panel: the share w of −2/R₁,
-/// which is what K F becomes in short waves, else −2 ln((R + Y)/2).
-/// @param K [1/m].
-WaveIntegral nearWave(const Vec3& x, const NearImage& image, const Vec3& along,
-                      std::span<const QuadraturePoint> points, double K);
+/// What is left of the wave term without its singular part, over two panels: sums over the points of both
+/// with their weights [m⁴] of
+///   smooth F + 2 ln((R + Y)/2),  rest F + 2/R,  oscillation e^{−Y}J₀
+/// and of their derivatives by K times the source point, `up` against z. One evaluation of the wave term a pair
+/// of points serves both ways: it depends on the horizontal distance and on z + ζ only.
+struct NearSums {
+  struct Horizontal {
+    double x = 0.0, y = 0.0;
+  };
+  double weights = 0.0;
+  double smooth = 0.0, rest = 0.0, oscillation = 0.0;
+  Horizontal smoothAlong, restAlong, oscillationAlong;
+  double restUp = 0.0;
+
+  /// @param mirrored  the field points at −y.  @param K [1/m].
+  NearSums(std::span<const QuadraturePoint> field, bool mirrored,
+           std::span<const QuadraturePoint> source, double K);
+  /// Field and source exchanged.
+  NearSums exchanged(bool mirrored) const;
+};
+
+/// Averaged over the field panel, with the singular part exact: the share w of −2/R₁, which is what K F
+/// becomes in short waves, else −2 ln((R + Y)/2).
+/// @param along  direction e of the derivative.  @param fieldArea of the points in `sums` [m²].
+WaveIntegral nearWave(const NearSums& sums, double fieldArea, const NearImage& image,
+                      const Vec3& along, double K);
 
 }  // namespace cutwater

@@ -19,6 +19,9 @@ constexpr double kWaveError = 0.005;
 constexpr std::array<double, PanelPairs::kMostPoints - 1> kGaussError{1.0 / 6.0, 1.0 / 270.0,
                                                                       1.0 / 31500.0};
 
+/// Of the 7 points of degree 5 the same for θ⁶, waves along the diagonal.
+constexpr double kSevenPointError = 1.0 / 13000.0;
+
 double top(const Panel& panel) {
   double z = panel.corner[0].z();
   for (int i = 1; i < panel.corners; ++i)
@@ -53,6 +56,9 @@ PanelPairs::PanelPairs(PanelMesh mesh, const InfluenceSettings& settings)
     top_.push_back(top(panel));
     moments_.emplace_back(panel);
     centroid_.push_back({{panel.centroid, panel.area}});
+    few_.push_back(
+        {cutwater::fewPoints(panel, 3), cutwater::fewPoints(panel, 5),
+         panel.corners == 3 ? cutwater::fewPoints(panel, 5) : panelQuadrature(panel, 3)});
     points_.emplace_back();
     for (int n = 1; n <= kMostPoints; ++n)
       points_.back()[static_cast<std::size_t>(n - 1)] = panelQuadrature(panel, n);
@@ -68,21 +74,33 @@ Vec3 PanelPairs::direction(const Pair& pair) const {
 bool PanelPairs::isNear(const Pair& pair) const {
   const Vec3 apart =
       imageInZ(imageInY(panel(pair.field).centroid, pair.mirrored)) - panel(pair.source).centroid;
-  const double reach = kNearRatio * std::max(size(pair.field), size(pair.source));
-  return apart.squaredNorm() < reach * reach;
+  const double a = size(pair.field), b = size(pair.source);
+  return apart.squaredNorm() < 0.5 * kNearRatio * kNearRatio * (a * a + b * b);
+}
+
+PanelPairs::WaveOn PanelPairs::waveOn(int from, int panel, double K) const {
+  return {0.5 * K * size(panel), std::exp(0.5 * K *
+                                          (panels_[static_cast<std::size_t>(from)].centroid.z() +
+                                           top_[static_cast<std::size_t>(panel)]))};
 }
 
 int PanelPairs::pointsPerSide(int from, int panel, double K) const {
   if (fixedPoints_ > 0) return fixedPoints_;
-  const double theta = 0.5 * K * size(panel);
-  double error = std::exp(0.5 * K *
-                          (panels_[static_cast<std::size_t>(from)].centroid.z() +
-                           top_[static_cast<std::size_t>(panel)]));
+  const WaveOn wave = waveOn(from, panel, K);
+  double error = wave.size;
   for (int n = 1; n < kMostPoints; ++n) {
-    error *= theta * theta;
+    error *= wave.theta * wave.theta;
     if (error * kGaussError[static_cast<std::size_t>(n - 1)] < kWaveError) return n;
   }
   return kMostPoints;
+}
+
+const std::vector<QuadraturePoint>& PanelPairs::fewPoints(int from, int panel, double K) const {
+  const WaveOn wave = waveOn(from, panel, K);
+  const double square = wave.theta * wave.theta, fourth = wave.size * square * square;
+  const auto& few = few_[static_cast<std::size_t>(panel)];
+  if (fourth * kGaussError[1] < kWaveError) return few[0];
+  return fourth * square * kSevenPointError < kWaveError ? few[1] : few[2];
 }
 
 int PanelPairs::fieldPointsPerSide(const Pair& pair, double K) const {

@@ -36,8 +36,8 @@ struct Pair {
 class PanelPairs {
  public:
   static constexpr int kMostPoints = 4;  ///< per side of a panel
-  /// Images of x nearer than this many panel diameters take the split wave term: one point
-  /// and second moments there would be off by 1e-3 and more.
+  /// Images nearer than this many panel diameters (the r.m.s. of both) take the split wave term: one
+  /// point and second moments there would be off by 1e-3 and more.
   static constexpr double kNearRatio = 1.5;
 
   /// @throws HydroError BadArgument for points that are not 1, 4 or 9 (sourcePoints: or 0), or H
@@ -69,16 +69,24 @@ class PanelPairs {
   /// horizontal part changes with the variable (source).
   Vec3 direction(const Pair& pair) const;
 
-  /// The image of the field panel in z = 0 lies nearer than two diameters.
+  /// The image of the field panel in z = 0 lies nearer than kNearRatio; so does it seen the other way.
   bool isNear(const Pair& pair) const;
 
   /// Gauss points a side of `panel` for a wave seen from `from`, wave number K: as many as the
   /// wave length asks for, or as the settings say.
   int pointsPerSide(int from, int panel, double K) const;
+  /// As few points as that takes on a panel of a near pair: 4, 7 or 9.
+  const std::vector<QuadraturePoint>& fewPoints(int from, int panel, double K) const;
   /// The same for the average over a field panel: 1 for collocation, at most 2.
   int fieldPointsPerSide(const Pair& pair, double K) const;
 
  private:
+  /// Half the panel in radians of the wave, and what of the wave is left there.
+  struct WaveOn {
+    double theta, size;
+  };
+  WaveOn waveOn(int from, int panel, double K) const;
+
   PanelMesh mesh_;
   InfluenceSettings settings_;
   int hull_, all_, galerkin_, fixedPoints_;
@@ -87,6 +95,7 @@ class PanelPairs {
   std::vector<double> top_;    // highest z of each panel [m]
   std::vector<PanelMoments> moments_;
   std::vector<std::array<std::vector<QuadraturePoint>, kMostPoints>> points_;
+  std::vector<std::array<std::vector<QuadraturePoint>, 3>> few_;  // 4, 7, 9
   std::vector<std::vector<QuadraturePoint>>
       centroid_;  // one point each; a triangle's rule has three
 };

@@ -68,6 +68,7 @@ RankineMatrices::RankineMatrices(const PanelPairs& pairs)
     integrate(source);
     findNear(source);
   });
+  for (int source = 0; source < all; ++source) findOpposites(source);
 }
 
 namespace {
@@ -148,7 +149,7 @@ void RankineMatrices::findNear(int source) {
   const RankinePanel rankine = rankineOf(panel);
   for (int m = 0; m < pairs_.parities(); ++m)
     for (int field = 0; field < pairs_.all(); ++field) {
-      NearPair near{{field, source, m == 1}, {}, {}};
+      NearPair near{{field, source, m == 1}, {}, {}, 0};
       if (!pairs_.isNear(near.pair)) continue;
       const Panel& seen = pairs_.panel(field);
       const Vec3 along = pairs_.direction(near.pair);
@@ -163,6 +164,14 @@ void RankineMatrices::findNear(int source) {
           (imageInZ(imageInY(seen.centroid, m == 1)) - panel.centroid).norm();
       near_[static_cast<std::size_t>(source)].push_back(near);
     }
+}
+
+void RankineMatrices::findOpposites(int source) {
+  for (NearPair& pair : near_[static_cast<std::size_t>(source)]) {
+    const auto& [field, of, mirrored] = pair.pair;
+    pair.opposite =
+        static_cast<std::size_t>(&near(field, mirrored, of, of + 1).front() - near(field).data());
+  }
 }
 
 std::span<const NearPair> RankineMatrices::near(int source, bool mirrored, int from, int to) const {

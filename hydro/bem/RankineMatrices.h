@@ -15,8 +15,9 @@ struct RankineParts {
 /// One pair whose free-surface image is near, with the singular part of its wave term.
 struct NearPair {
   Pair pair;
-  NearImage image;   ///< along PanelPairs::direction
-  NearImage alongX;  ///< along −x of the source, +x of the field; of no meaning without H
+  NearImage image;       ///< along PanelPairs::direction
+  NearImage alongX;      ///< along −x of the source, +x of the field; of no meaning without H
+  std::size_t opposite;  ///< place of the pair seen the other way, among those of `pair.field`
 };
 
 /// Rankine and near-image integrals of all pairs: 1/R and 1/R₁ exactly (RankineIntegrals.h) at the
@@ -55,6 +56,7 @@ class RankineMatrices {
   Sample sample(const RankinePanel& rankine, const Pair& pair, bool image) const;
   void integrate(int source);
   void findNear(int source);
+  void findOpposites(int source);
 
   const PanelPairs& pairs_;
   std::vector<std::vector<FourSeen>> fours_;  // of each field panel; empty if it has not 4, 8, ...

@@ -94,6 +94,36 @@ std::vector<QuadraturePoint> panelQuadrature(const Panel& panel, int n) {
   return points;
 }
 
+std::vector<QuadraturePoint> fewPoints(const Panel& panel, int degree) {
+  const bool isTriangle = panel.corners == 3;
+  if (degree == 3 && !isTriangle) return panelQuadrature(panel, 2);
+  std::vector<QuadraturePoint> points;
+  points.reserve(7);
+  if (isTriangle) {
+    const auto& [a, b, c, unused] = panel.corner;
+    const Vec3 sum = a + b + c;
+    points.push_back({sum / 3.0, 0.225 * panel.area});
+    for (const double root : {std::sqrt(15.0), -std::sqrt(15.0)})
+      for (const Vec3& corner : {a, b, c}) {
+        const double share = (6.0 + root) / 21.0;  // of the other two corners
+        points.push_back(
+            {share * sum + (1.0 - 3.0 * share) * corner, (155.0 + root) / 1200.0 * panel.area});
+      }
+    return points;
+  }
+  const auto put = [&](double u, double v, double weight) {
+    const double x = 0.5 * (1.0 + u), y = 0.5 * (1.0 + v);
+    points.push_back({bilinear(panel, x, y), weight * jacobian(panel, x, y)});
+  };
+  put(0.0, 0.0, 2.0 / 7.0);
+  for (const double side : {-1.0, 1.0}) {
+    put(0.0, side * std::sqrt(14.0 / 15.0), 5.0 / 63.0);
+    for (const double other : {-1.0, 1.0})
+      put(side * std::sqrt(0.6), other * std::sqrt(1.0 / 3.0), 5.0 / 36.0);
+  }
+  return points;
+}
+
 std::array<Panel, 4> quarters(const Panel& panel) {
   const auto& c = panel.corner;
   const Vec3 ab = middle(c[0], c[1]), bc = middle(c[1], c[2]);

@@ -20,6 +20,10 @@ struct QuadraturePoint {
 /// first.
 std::vector<QuadraturePoint> panelQuadrature(const Panel& panel, int n);
 
+/// As few points as integrate polynomials of degree 3 or 5 on a parallelogram or triangle: 4 or 7.
+/// @param degree 3 (2 × 2 Gauss points; 7 on a triangle) or 5 (7: [Radon 1948]).
+std::vector<QuadraturePoint> fewPoints(const Panel& panel, int degree);
+
 /// The four quarters of a panel, cut at the mid-points of its edges.
 std::array<Panel, 4> quarters(const Panel& panel);
 

@@ -92,5 +92,28 @@ TEST(PanelQuadratureClosedForm, WeightsSumToTheAreaAndMomentsToTheCentroid) {
   }
 }
 
+// On a parallelogram and a triangle, whose maps are linear: all powers up to the degree as 6 × 6 points have
+// them, to round-off.
+TEST(PanelQuadratureClosedForm, FewPointsAreExactToTheirDegree) {
+  const Vec3 a(0.3, 0.2, -0.5), b(2.1, 0.5, -0.7), c(1.8, 1.4, -1.6);
+  for (const Panel& panel : {flatPanel({a, b, c}), flatPanel({a, b, c, a + c - b})})
+    for (const int degree : {3, 5}) {
+      const std::vector<QuadraturePoint> few = fewPoints(panel, degree);
+      EXPECT_LE(few.size(), 7u);
+      for (int i = 0; i <= degree; ++i)
+        for (int j = 0; i + j <= degree; ++j) {
+          const auto integral = [&](const std::vector<QuadraturePoint>& points) {
+            double sum = 0.0;
+            for (const auto& [x, weight] : points)
+              sum += weight * std::pow(x.x(), i) * std::pow(x.z(), j);
+            return sum;
+          };
+          EXPECT_NEAR(integral(few), integral(panelQuadrature(panel, 6)),
+                      1e-12 * std::pow(3.0, i + j))
+              << degree << ": " << i << ' ' << j;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace cutwater::test

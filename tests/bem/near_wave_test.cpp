@@ -37,8 +37,9 @@ RankinePanel rankineOf(const Panel& panel) {
 }
 
 WaveIntegral split(const Vec3& x, const Panel& panel, double K) {
-  return nearWave(x, nearImage(x, panel, rankineOf(panel), panel.normal), panel.normal,
-                  panelQuadrature(panel, 2), K);
+  const QuadraturePoint field{x, 1.0};
+  const NearSums sums({&field, 1}, false, panelQuadrature(panel, 2), K);
+  return nearWave(sums, 1.0, nearImage(x, panel, rankineOf(panel), panel.normal), panel.normal, K);
 }
 
 // What is left after the split varies as R ln R over a panel; 2 × 2 points leave a small part of
@@ -51,6 +52,45 @@ TEST(NearWaveConvergence, SplitTermOfAWaterlinePanelAndItsNeighbours) {
     EXPECT_LT(std::abs(got.value - exact.value), 1e-3 * std::abs(exact.value));
     EXPECT_LT(std::abs(got.along - exact.along),
               3e-3 * std::abs(exact.value) * K + 1e-3 * std::abs(exact.along));
+  }
+}
+
+// The wave term knows the distance only: field and source exchanged, one of them perhaps at −y, are the
+// same sums, to round-off of their order.
+TEST(NearWaveIdentity, ExchangedSumsAreThoseOfExchangedPanels) {
+  const auto a = fewPoints(quad({0, 1, 0}, {2, 1.1, 0}, {2, 0.9, -1}, {0, 0.8, -1}), 5);
+  const auto b = fewPoints(quad({2, 1.1, 0}, {4, 0.8, 0}, {4, 0.7, -1}, {2, 0.9, -1}), 3);
+  for (const bool mirrored : {false, true})
+    for (const double K : {0.05, 0.5, 3.0}) {
+      const NearSums back = NearSums(a, mirrored, b, K).exchanged(mirrored),
+                     direct(b, mirrored, a, K);
+      const auto same = [](double x, double y) { EXPECT_NEAR(x, y, 1e-12 * (1.0 + std::abs(y))); };
+      same(back.weights, direct.weights);
+      same(back.smooth, direct.smooth);
+      same(back.rest, direct.rest);
+      same(back.restUp, direct.restUp);
+      same(back.oscillation, direct.oscillation);
+      for (const auto along :
+           {&NearSums::smoothAlong, &NearSums::restAlong, &NearSums::oscillationAlong}) {
+        same((back.*along).x, (direct.*along).x);
+        same((back.*along).y, (direct.*along).y);
+      }
+    }
+}
+
+// 4 × 4 points up to a third of a wave on a panel, 7 × 7 to half a wave, where waves are resolved no
+// longer, against 12 × 12 × 12 × 12: of the waves' part K² e^{−Y}J₀, and of the smooth one.
+TEST(NearWaveConvergence, FewPointsOnBothPanels) {
+  const Panel wall = quad({0, 0, 0}, {3, 0, 0}, {3, 0, -2}, {0, 0, -2}),
+              next = quad({3, 0, 0}, {6, 0.5, 0}, {6, 0.4, -2}, {3, 0, -2});
+  for (const auto& [degree, K, bound] :
+       {std::tuple{3, 0.2, 1e-3}, {3, 0.6, 2e-2}, {5, 0.6, 2e-3}, {5, 1.0, 1e-2}}) {
+    const NearSums few(fewPoints(wall, degree), false, fewPoints(next, degree), K),
+        many(panelQuadrature(wall, 12), false, panelQuadrature(next, 12), K);
+    const double size = many.weights;
+    EXPECT_LT(std::abs(few.oscillation - many.oscillation), bound * size) << K;
+    EXPECT_LT(std::abs(few.smooth - many.smooth), 3.0 * bound * size) << K;
+    EXPECT_LT(std::abs(few.oscillationAlong.x - many.oscillationAlong.x), bound * size) << K;
   }
 }
 
