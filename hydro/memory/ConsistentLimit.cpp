@@ -13,8 +13,8 @@ namespace cutwater {
 
 namespace {
 
-constexpr double kBandStart = 0.3, kBandEnd = 0.6;  // of the last frequency used
-constexpr double kFromDampingX = 0.8;               // of the same: above it ∂A is all ∂B's
+constexpr double kBandStart = 0.3, kBandEnd = 0.6;        // of the last frequency used
+constexpr double kToDampingX = 0.5, kFromDampingX = 0.8;  // of the same: ∂A becomes ∂B's
 constexpr double kLargestScatter = 0.02, kLargestDistance = 0.1;
 
 double largest(const Mat6& difference, const Vec6& size) {
@@ -81,14 +81,15 @@ ConsistentLimit consistentLimit(const Coefficients& c) { return limitOf(c, Retar
 
 namespace {
 
-/// B, A, ∂B above the last frequency that the panels resolve, and ∂A from 0.6 of it on, become the memory's.
+/// B, A, ∂B above the last frequency that the panels resolve, and ∂A from 0.5 of it on, become the memory's.
 void continueAbove(Coefficients& c, const RetardationMatrix& memory) {
   const std::size_t resolved = resolvedCount(c);
   const double last = c.omega[resolved - 1];
   for (std::size_t i = 0; i < c.omega.size(); ++i) {
     const double omega = c.omega[i];
-    if (memory.hasSpeedTerms() && omega > kBandEnd * last) {
-      const double share = std::min(1.0, (omega / last - kBandEnd) / (kFromDampingX - kBandEnd));
+    if (memory.hasSpeedTerms() && omega > kToDampingX * last) {
+      const double share =
+          std::min(1.0, (omega / last - kToDampingX) / (kFromDampingX - kToDampingX));
       c.addedMassX[i] += share * (memory.addedMassX(omega) - c.addedMassX[i]);
     }
     if (i < resolved) continue;

@@ -35,11 +35,11 @@ ConsistentLimit consistentLimit(const Coefficients& coefficients);
 /// The same coefficients with the consistent A(∞) as `addedMassInf` and the solver's own kept as
 /// `addedMassInfDirect`, if it is to be trusted; else unchanged. Above `resolvedOmega` = Ω', where the solver's
 /// A and B ring, they become the memory's continuation: B by its tail, A = A(∞) − (1/ω)∫K sin ωτ dτ, and ∂A, ∂B
-/// alike, with a consistent ∂A(∞). ∂A does so earlier: from 0.6 Ω' to 0.8 Ω' it goes over from the
-/// solver's to ∂A(∞) − (1/ω)∫∂K sin ωτ dτ of ∂B, which there is the better value: the frigate's 18 entries
-/// with 224, 433 and 1040 panels a side against those with 2000 miss, from 0.8 Ω' to Ω', 4.8 % of ∂A_33
-/// by the solver and 3.6 % by ∂B, 19 and 13 % of ∂A_35, 5.2 and 3.8 % of ∂A_55 (433 panels), and
-/// are nearer by it in 12, 14 and 14. Of A the like is not true (2, 3 and 7 of 12).
+/// alike, with a consistent ∂A(∞). ∂A does so earlier: from 0.5 Ω' to 0.8 Ω' it goes over from the
+/// solver's to ∂A(∞) − (1/ω)∫∂K sin ωτ dτ of ∂B, which there is the better value: of the frigate's 18 entries
+/// with 433 and 1040 panels a side, set against 2000, it is the nearer in 12 and 11 from 0.5 to 0.6 Ω', in 12 and 13
+/// to 0.8 Ω', in 14 and 14 from there on, where the solver misses 4.8 and 1.5 % of ∂A_33 and ∂B's 3.1 and 0.7 %,
+/// of ∂A_35 18 and 6, against 11 and 2 %. Below 0.5 Ω' neither is (6 and 10). Of A the like is not true.
 Coefficients withConsistentLimit(Coefficients coefficients);
 
 /// Largest |X_jk − X_kj| of a table over √(X_jj X_kk) at its largest, which is discretisation error in A and B.
