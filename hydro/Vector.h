@@ -1,12 +1,14 @@
 #pragma once
 
-// CUTWATER_VECTOR before a function: it is compiled twice, for any x86-64 and for one with AVX2 and FMA
-// (x86-64-v3), and the program takes what the machine has when it starts. What such a function calls in
-// its loops must be inlined into it (CUTWATER_INLINE), or it is the common code.
-// Results differ between the two in the last bits, as FMA rounds once; not between runs or threads.
+// CUTWATER_VECTOR before a function: it is compiled three times, for any x86-64, for one with AVX2 and FMA
+// (x86-64-v3) and for one with AVX-512 (x86-64-v4: twice the registers), and the program takes what the
+// machine has when it starts. What such a function calls in its loops must be inlined into it
+// (CUTWATER_INLINE), or it is the common code.
+// Results differ between them in the last bits, as FMA rounds once; not between runs or threads.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define CUTWATER_VECTOR __attribute__((target_clones("arch=x86-64-v3", "default")))
+#define CUTWATER_VECTOR \
+  __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
 #define CUTWATER_VECTOR
 #endif

@@ -72,6 +72,13 @@ CUTWATER_INLINE Four logarithm(Four x) {
   return n * kLnTwo - ((half - tail) - f);
 }
 
+/// The same for any x: from e^−700 to e^700, which are 0 and infinite for most purposes.
+CUTWATER_INLINE Four boundedExponential(Four x) {
+  const Four least = x * 0.0 - 700.0, most = x * 0.0 + 700.0;
+  const Four above = x > least ? x : least;
+  return exponential(above < most ? above : most);
+}
+
 struct SineCosine {
   Four sine, cosine;
 };
@@ -93,6 +100,26 @@ CUTWATER_INLINE SineCosine sineCosine(Four x) {
   const FourBits signOfSine = (quadrant & 2) << 62, signOfCosine = ((quadrant + 1) & 2) << 62;
   return {fromBits(bitsOf(odd ? cosine : sine) ^ signOfSine),
           fromBits(bitsOf(odd ? sine : cosine) ^ signOfCosine)};
+}
+
+/// Four complex numbers.
+struct ComplexFour {
+  Four re, im;
+};
+CUTWATER_INLINE ComplexFour operator+(const ComplexFour& a, const ComplexFour& b) {
+  return {a.re + b.re, a.im + b.im};
+}
+CUTWATER_INLINE ComplexFour operator*(const ComplexFour& a, const ComplexFour& b) {
+  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+CUTWATER_INLINE ComplexFour operator*(double a, const ComplexFour& b) {
+  return {a * b.re, a * b.im};
+}
+/// e^z as boundedExponential(re) and sineCosine(im) have it.
+CUTWATER_INLINE ComplexFour exponential(const ComplexFour& z) {
+  const Four size = boundedExponential(z.re);
+  const SineCosine turn = sineCosine(z.im);
+  return {size * turn.cosine, size * turn.sine};
 }
 
 }  // namespace cutwater

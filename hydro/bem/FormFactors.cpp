@@ -1,5 +1,9 @@
 #include "hydro/bem/FormFactors.h"
 
+#include <array>
+
+#include "hydro/VectorMath.h"
+
 namespace cutwater {
 
 Eigen::Vector2d FormFactors::directionOf(int step) {
@@ -11,19 +15,36 @@ Eigen::Vector2d FormFactors::directionOf(int step) {
   return e.normalized();
 }
 
+namespace {
+
+/// S of one panel on the first half of the circle, along (ex, ey).
+CUTWATER_VECTOR void formFactors(const PanelMoments& panel, double K, const double* ex,
+                                 const double* ey, std::size_t count, Complex* S) {
+  const auto along = [&](const Vec3& axis, std::size_t i) {
+    const Four level = axis.x() * loadFour(ex + i) + axis.y() * loadFour(ey + i);
+    return ComplexFour{level * 0.0 + K * axis.z(), -K * level};
+  };
+  for (std::size_t i = 0; i < count; i += 4) {
+    const ComplexFour four = exponential(panel.logarithm(along(panel.u, i), along(panel.v, i)));
+    for (std::size_t k = 0; k < 4; ++k) S[i + k] = Complex(four.re[k], four.im[k]);
+  }
+}
+
+}  // namespace
+
 FormFactors::FormFactors(const PanelPairs& pairs, int all, double K)
     : values_(static_cast<std::size_t>(all) * (kSteps + 1)) {
-  std::vector<Eigen::Vector3cd> wave;
-  for (int step = 0; step < kSteps / 2; ++step) {
+  constexpr int kHalf = kSteps / 2;
+  std::array<double, kHalf> ex{}, ey{};
+  for (int step = 0; step < kHalf; ++step) {
     const Eigen::Vector2d e = directionOf(step);
-    wave.emplace_back(Complex(0.0, -K * e.x()), Complex(0.0, -K * e.y()), Complex(K, 0.0));
+    ex[static_cast<std::size_t>(step)] = e.x();
+    ey[static_cast<std::size_t>(step)] = e.y();
   }
   for (int panel = 0; panel < all; ++panel) {
     Complex* S = &values_[static_cast<std::size_t>(panel) * (kSteps + 1)];
-    for (int step = 0; step < kSteps / 2; ++step) {
-      S[step] = std::exp(pairs.moments(panel).logarithm(wave[static_cast<std::size_t>(step)]));
-      S[step + kSteps / 2] = std::conj(S[step]);
-    }
+    formFactors(pairs.moments(panel), K, ex.data(), ey.data(), kHalf, S);
+    for (int step = 0; step < kHalf; ++step) S[step + kHalf] = std::conj(S[step]);
     S[kSteps] = S[0];
   }
 }

@@ -26,15 +26,4 @@ PanelMoments::PanelMoments(const Panel& panel) : second{}, third{}, fourth{} {
   third[2] *= 3.0;
 }
 
-Complex PanelMoments::logarithm(const Eigen::Vector3cd& k) const {
-  const Complex a = k.x() * u.x() + k.y() * u.y() + k.z() * u.z(),
-                b = k.x() * v.x() + k.y() * v.y() + k.z() * v.z();
-  const Complex aa = a * a, ab = a * b, bb = b * b;
-  return (second[0] * aa + second[1] * ab + second[2] * bb) / 2.0 +
-         (a * (third[0] * aa + third[1] * ab + third[2] * bb) + third[3] * b * bb) / 6.0 +
-         (aa * (fourth[0] * aa + fourth[1] * ab + fourth[2] * bb) +
-          bb * (fourth[3] * ab + fourth[4] * bb)) /
-             24.0;
-}
-
 }  // namespace cutwater

@@ -74,14 +74,6 @@ CUTWATER_INLINE Second second(const Jet& a, Four X, const Moments& m) {
           0.5 * (m.along * XXY + m.across * bendY + m.up * a.YYY) - m.alongUp * a.XYY};
 }
 
-/// A complex number a lane.
-struct Pair4 {
-  Four re, im;
-};
-CUTWATER_INLINE Pair4 times(const Pair4& a, const Pair4& b) {
-  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
-}
-
 /// 2π e^{−Y} times the Bessel functions.
 struct Waves {
   Four J0, J1, Y0, Y1;
@@ -89,33 +81,34 @@ struct Waves {
 
 /// What the panels' extent makes of the waves o = −(Y₀ + iJ₀), less o: by value, slope and across.
 struct WaveChange {
-  Pair4 value, slope, across;
+  ComplexFour value, slope, across;
 };
 
 // Outgoing waves go as H₀ = J₀ − iY₀ along ê. With d = H₀′/H₀ = −H₁/H₀ and Bessel's equation, their
 // second moments are ½[a(−1 − d/X) + c d/X + u] + t d, a along, c across, u up, t along and up; those
 // of a plane wave, which are in the form factor, ½[−a + u] − it. H₀′ has e = H₀″/H₀′ + 1/X = −1/d.
-CUTWATER_INLINE WaveChange change(const Waves& w, Four X, Four count, const Pair4& form,
+CUTWATER_INLINE WaveChange change(const Waves& w, Four X, Four count, const ComplexFour& form,
                                   const Moments& m) {
   const Four same = w.J0 * w.J1 + w.Y0 * w.Y1, cross = w.J1 * w.Y0 - w.Y1 * w.J0;
   const Four per0 = 1.0 / (w.J0 * w.J0 + w.Y0 * w.Y0 + 1e-300);
   const Four per1 = 1.0 / (w.J1 * w.J1 + w.Y1 * w.Y1 + 1e-300);
-  const Pair4 d{-same * per0, -cross * per0}, e{same * per1, -cross * per1};
+  const ComplexFour d{-same * per0, -cross * per0}, e{same * per1, -cross * per1};
   const Four perX = 1.0 / atLeast(X, 0.5 * kFrom);
   const Four front = 0.5 * (m.across - m.along) * perX;
-  const auto ofForm = [&form](const Pair4& c) {
-    const Pair4 cc = times(c, c);
-    return times(form, {1.0 + c.re + 0.9 * cc.re, c.im + 0.9 * cc.im});
+  const auto ofForm = [&form](const ComplexFour& c) {
+    const ComplexFour cc = c * c;
+    return form * ComplexFour{1.0 + c.re + 0.9 * cc.re, c.im + 0.9 * cc.im};
   };
-  const Pair4 byValue =
+  const ComplexFour byValue =
       ofForm({(front + m.alongUp) * d.re, front * d.im + m.alongUp * (d.im + 1.0)});
-  const Pair4 bySlope = ofForm({front * (e.re - 2.0 * perX) + m.alongUp * (e.re - perX),
-                                front * e.im + m.alongUp * (e.im + 1.0)});
-  const Pair4 turn = times(
-      form, {m.mixed * perX * (e.re - 2.0 * perX) + m.acrossUp * perX, m.mixed * perX * e.im});
-  const Pair4 o{-count * w.Y0, -count * w.J0}, slope{count * w.Y1, count * w.J1};
-  return {times(o, {byValue.re - 1.0, byValue.im}), times(slope, {bySlope.re - 1.0, bySlope.im}),
-          times(slope, turn)};
+  const ComplexFour bySlope = ofForm({front * (e.re - 2.0 * perX) + m.alongUp * (e.re - perX),
+                                      front * e.im + m.alongUp * (e.im + 1.0)});
+  const ComplexFour turn =
+      form *
+      ComplexFour{m.mixed * perX * (e.re - 2.0 * perX) + m.acrossUp * perX, m.mixed * perX * e.im};
+  const ComplexFour o{-count * w.Y0, -count * w.J0}, slope{count * w.Y1, count * w.J1};
+  return {o * ComplexFour{byValue.re - 1.0, byValue.im},
+          slope * ComplexFour{bySlope.re - 1.0, bySlope.im}, slope * turn};
 }
 
 /// 1/R and its derivatives by X and Y.
@@ -202,21 +195,21 @@ CUTWATER_VECTOR void WaveTile::combine(double K) {
     store(share, k, use * part);
     store(valueRe, k, use * K * (f + part * r.r + waves.value.re + real.value));
     store(valueIm, k, use * K * (waves.value.im - w.J0 + imaginary.value));
-    const Pair4 slope{use * KK * (fx + part * r.X + waves.slope.re + real.slope),
-                      use * KK * (w.J1 + waves.slope.im + imaginary.slope)};
-    const Pair4 across{use * KK * (waves.across.re + real.across),
-                       use * KK * (waves.across.im + imaginary.across)};
-    const Pair4 rise{use * KK * (part * r.Y - f - 2.0 * r.r - waves.value.re + real.byY),
-                     use * KK * (w.J0 - waves.value.im + imaginary.byY)};
-    const Pair4 byX{ax * slope.re - ay * across.re, ax * slope.im - ay * across.im};
-    const Pair4 byY{ay * slope.re + ax * across.re, ay * slope.im + ax * across.im};
+    const ComplexFour slope{use * KK * (fx + part * r.X + waves.slope.re + real.slope),
+                            use * KK * (w.J1 + waves.slope.im + imaginary.slope)};
+    const ComplexFour across{use * KK * (waves.across.re + real.across),
+                             use * KK * (waves.across.im + imaginary.across)};
+    const ComplexFour rise{use * KK * (part * r.Y - f - 2.0 * r.r - waves.value.re + real.byY),
+                           use * KK * (w.J0 - waves.value.im + imaginary.byY)};
+    const ComplexFour byX{ax * slope.re - ay * across.re, ax * slope.im - ay * across.im};
+    const ComplexFour byY{ay * slope.re + ax * across.re, ay * slope.im + ax * across.im};
     const auto derivative = [&](Four nx, Four ny, Four nz) {
-      return Pair4{nx * byX.re + ny * byY.re - nz * rise.re,
-                   nx * byX.im + ny * byY.im - nz * rise.im};
+      return ComplexFour{nx * byX.re + ny * byY.re - nz * rise.re,
+                         nx * byX.im + ny * byY.im - nz * rise.im};
     };
-    const Pair4 atSource =
+    const ComplexFour atSource =
         derivative(x * 0.0 + source->nx[j], x * 0.0 + source->ny[j], x * 0.0 + source->nz[j]);
-    const Pair4 atField =
+    const ComplexFour atField =
         derivative(loadFour(&field->nx[i]), loadFour(&field->ny[i]), loadFour(&field->nz[i]));
     store(sourceRe, k, atSource.re);
     store(sourceIm, k, atSource.im);

@@ -1,7 +1,9 @@
 #include "hydro/waves/PanelWave.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "hydro/VectorMath.h"
 #include "hydro/geometry/PanelQuadrature.h"
 
 namespace cutwater {
@@ -21,6 +23,21 @@ PanelWave byPoints(const Panel& panel, const Eigen::Vector3cd& kappa, const Vec3
   return wave;
 }
 
+/// e^{κ·(x − origin)} at the corners, a triangle's last one twice.
+CUTWATER_VECTOR std::array<Complex, 4> atCorners(const Panel& panel, const Eigen::Vector3cd& kappa,
+                                                 const Vec3& origin) {
+  ComplexFour z{};
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 s = panel.corner[static_cast<std::size_t>(std::min(i, panel.corners - 1))] - origin;
+    z.re[i] = kappa.x().real() * s.x() + kappa.y().real() * s.y() + kappa.z().real() * s.z();
+    z.im[i] = kappa.x().imag() * s.x() + kappa.y().imag() * s.y() + kappa.z().imag() * s.z();
+  }
+  const ComplexFour e = exponential(z);
+  std::array<Complex, 4> value;
+  for (int i = 0; i < 4; ++i) value[static_cast<std::size_t>(i)] = Complex(e.re[i], e.im[i]);
+  return value;
+}
+
 /// ∫ e^{κ·x} dl along an edge and ∫ s e^{κ·x} dl, s from its middle along it; h = κ·(half the edge),
 /// `from`, `to` and `middle` the values at its ends and half way.
 struct EdgeWave {
@@ -28,8 +45,9 @@ struct EdgeWave {
 };
 EdgeWave edgeWave(double length, Complex h, Complex from, Complex to, auto middle) {
   if (std::norm(h) > 1e-2) {
-    const Complex sum = 0.5 * length * (to - from) / h;
-    return {sum, 0.5 * length * (0.5 * length * (to + from) - sum) / h};
+    const Complex perH = 0.5 * length / std::norm(h) * std::conj(h);
+    const Complex sum = (to - from) * perH;
+    return {sum, (0.5 * length * (to + from) - sum) * perH};
   }
   const Complex hh = h * h, at = length * middle();
   return {at * (1.0 + hh / 6.0 * (1.0 + hh / 20.0 * (1.0 + hh / 42.0))),
@@ -45,8 +63,7 @@ PanelWave panelWave(const Panel& panel, const Eigen::Vector3cd& kappa, const Vec
 
   const Eigen::Vector3cd a = inPlane.conjugate() / square;
   const auto n = static_cast<std::size_t>(panel.corners);
-  std::array<Complex, 4> at;
-  for (std::size_t i = 0; i < n; ++i) at[i] = std::exp(dot(kappa, panel.corner[i] - origin));
+  const std::array<Complex, 4> at = atCorners(panel, kappa, origin);
   PanelWave wave{0.0, Eigen::Vector3cd::Zero()};
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3 &from = panel.corner[i], &to = panel.corner[(i + 1) % n];
