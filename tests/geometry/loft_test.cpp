@@ -36,7 +36,7 @@ TEST(LoftClosedForm, StraightSectionsStayStraight) {
 // 9.81 m/s², centre of gravity 2.5475 m aft. Another maker's integration of 24 sections: 0.5 % of V and
 // C33, 0.1 % of the length.
 TEST(LoftVerification, S175HasThePublishedParticulars) {
-  const test::TestHull s175 = test::testHulls().back();
+  const test::TestHull s175 = test::testS175();
   const Hydrostatics h =
       hydrostatics(wholeWetSurface(s175.hull), Vec3(-2.5475, 0, 0.05), 1025.0, 9.81);
   EXPECT_NEAR(h.volume / (2.460962e7 / 1025.0), 1.0, 5e-3);

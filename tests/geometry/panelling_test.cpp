@@ -125,7 +125,7 @@ TEST(PanellingVerification, ACatamaranWithRoundBilgesHasItsVolume) {
 }
 
 TEST(PanellingConvergence, VolumeApproachesTheHullsAtSecondOrder) {
-  const Hull& frigate = hulls()[0].hull;
+  const Hull frigate = test::testFrigate().hull;
   const double volume = volumeIntegrals(wetSurface(frigate)).volume;
   const auto missing = [&](int count) {
     return 1 - volumeIntegrals(panelled(frigate, count, "frigate")).volume / volume;
@@ -221,9 +221,10 @@ TEST(Panelling, ThreeHullsHaveSectionsOfTheirOwn) {
 }
 
 TEST(Panelling, ACountOutOfRangeIsRefused) {
+  const Hull barge = test::testBarge().hull;
   for (const int count : {-1, 0, kFewestPanels - 1, kMostPanels + 1}) {
     try {
-      panelled(hulls()[2].hull, count, "barge.obj");
+      panelled(barge, count, "barge.obj");
       ADD_FAILURE() << count;
     } catch (const HydroError& error) {
       EXPECT_EQ(error.fault(), Fault::ValueOutOfRange);

@@ -23,25 +23,10 @@ Vec3 centreOf(const SurfaceMesh& mesh, const Face& face) {
   return sum;
 }
 
-TestHull frigate() {
-  return {"frigate", makeHull(closedFrigate(400, 60), "frigate", Symmetry::Auto), [](int panels) {
-            const FrigateDivision d = frigateDivision(panels);
-            return wetFrigate(d.along, d.girth);
-          }};
-}
-
 TestHull hemisphere() {
   return {"hemisphere", makeHull(closedSphere(10.0, 120, 60), "sphere", Symmetry::Auto),
           [](int panels) {
             return wetHemisphere(10.0, byCount(panels, 20, 27, 40), byCount(panels, 11, 16, 26));
-          }};
-}
-
-TestHull barge() {
-  const BoxShape box{60.0, 16.0, 4.0, 4.0};
-  return {"barge", makeHull(closedBox(box, 6, 2, 1), "barge", Symmetry::Auto), [box](int panels) {
-            return wetBox(box, byCount(panels, 32, 45, 66), byCount(panels, 4, 6, 9),
-                          byCount(panels, 2, 3, 5));
           }};
 }
 
@@ -52,18 +37,6 @@ TestHull catamaran() {
             return moved(chinedHull(byCount(panels, 28, 36, 58), byCount(panels, 2, 3, 5),
                                     byCount(panels, 2, 3, 4), false),
                          {0, 10, 0});
-          }};
-}
-
-TestHull s175() {
-  const CsvTable table("../meshes/s175/offsets.csv");
-  std::vector<Vec3> offsets;
-  for (std::size_t i = 0; i < table.rows(); ++i)
-    offsets.emplace_back(-table.number(i, "x_aft_m"), table.number(i, "y_m"),
-                         table.number(i, "z_m") - 9.5);
-  const LoftedHull loft(offsets);
-  return {"S-175", makeHull(loft.closed(200, 40), "s175", Symmetry::Auto), [loft](int panels) {
-            return loft.wet(byCount(panels, 34, 46, 78), byCount(panels, 6, 9, 13));
           }};
 }
 
@@ -110,8 +83,35 @@ void addRectangle(SurfaceMesh& mesh, const Vec3& corner, const Vec3& u, const Ve
 
 }  // namespace
 
+TestHull testFrigate() {
+  return {"frigate", makeHull(closedFrigate(400, 60), "frigate", Symmetry::Auto), [](int panels) {
+            const FrigateDivision d = frigateDivision(panels);
+            return wetFrigate(d.along, d.girth);
+          }};
+}
+
+TestHull testBarge() {
+  const BoxShape box{60.0, 16.0, 4.0, 4.0};
+  return {"barge", makeHull(closedBox(box, 6, 2, 1), "barge", Symmetry::Auto), [box](int panels) {
+            return wetBox(box, byCount(panels, 32, 45, 66), byCount(panels, 4, 6, 9),
+                          byCount(panels, 2, 3, 5));
+          }};
+}
+
+TestHull testS175() {
+  const CsvTable table("../meshes/s175/offsets.csv");
+  std::vector<Vec3> offsets;
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    offsets.emplace_back(-table.number(i, "x_aft_m"), table.number(i, "y_m"),
+                         table.number(i, "z_m") - 9.5);
+  const LoftedHull loft(offsets);
+  return {"S-175", makeHull(loft.closed(200, 40), "s175", Symmetry::Auto), [loft](int panels) {
+            return loft.wet(byCount(panels, 34, 46, 78), byCount(panels, 6, 9, 13));
+          }};
+}
+
 std::vector<TestHull> testHulls() {
-  return {frigate(), hemisphere(), barge(), catamaran(), s175()};
+  return {testFrigate(), hemisphere(), testBarge(), catamaran(), testS175()};
 }
 
 SurfaceMesh chinedHull(int along, int sideRows, int bottomRows, bool closed) {
