@@ -1,5 +1,4 @@
 #pragma once
-#include <Eigen/QR>
 #include <limits>
 #include <random>
 #include <string>
@@ -49,13 +48,7 @@ inline Mat6 inEarth(const Mat6& a, const btRigidBody& body) {
 }
 
 /// Symmetric A with A x = l M x for random directions and the six given l.
-inline Mat6 randomAddedMass(const Mat6& mass, const Vec6& ratios, std::mt19937& random) {
-  std::normal_distribution<double> normal;
-  const Mat6 any = Mat6::NullaryExpr([&] { return normal(random); });
-  const Mat6 q = any.householderQr().householderQ();
-  const Mat6 root = mass.cwiseSqrt();
-  return root * q * ratios.asDiagonal() * q.transpose() * root;
-}
+Mat6 randomAddedMass(const Mat6& mass, const Vec6& ratios, std::mt19937& random);
 
 inline Vec6 randomVector(std::mt19937& random) {
   std::normal_distribution<double> normal;
