@@ -12,49 +12,70 @@ namespace {
 constexpr Complex kTwoPiI(0.0, 2.0 * kPi);
 constexpr double kEulerGamma = std::numbers::egamma;
 
-/// ρ and e_h·∇_ξ ln ρ = e_h·(ξ − x)_h / (R₁ρ) at one point, times its weight.
-void addLog(const Vec3& x, const Vec3& along, const QuadraturePoint& point, NearImage& sum) {
-  const double dx = point.x.x() - x.x(), dy = point.x.y() - x.y();
-  const double depth = -(x.z() + point.x.z());
-  const double R1 = std::sqrt(dx * dx + dy * dy + depth * depth);
-  const double rho = R1 + depth;
-  sum.log += point.weight * std::log(rho);
-  sum.logAlong += point.weight * (along.x() * dx + along.y() * dy) / (R1 * rho);
-}
-
-/// Quarters the panel until it is smaller than its distance from the image of x; the 4 × 4 rule
-/// then leaves less than 1e-5 of a logarithm.
-void addSubdivided(const Vec3& x, const Vec3& along, const Panel& source, int depth,
-                   NearImage& sum) {
-  const Vec3 image(x.x(), x.y(), -x.z());
-  double radius = 0.0;
-  for (const Vec3& corner : source.corner)
-    radius = std::max(radius, (corner - source.centroid).norm());
-  if (depth > 0 && (image - source.centroid).norm() < 2.0 * radius) {
-    for (const Panel& part : quarters(source)) addSubdivided(x, along, part, depth - 1, sum);
-    return;
+/// ln ρ and e_h·∇_ξ ln ρ = e_h·(ξ − x)_h / (R₁ρ) at points, times their weights.
+struct Points {
+  const double *x, *y, *z, *weight;
+  std::size_t count;  // a multiple of four
+};
+CUTWATER_VECTOR void addLogs(const Vec3& x, const Vec3& along, const Points& points,
+                             NearImage& sum) {
+  Four log{}, logAlong{};
+  for (std::size_t i = 0; i < points.count; i += 4) {
+    const Four dx = loadFour(points.x + i) - x.x(), dy = loadFour(points.y + i) - x.y();
+    const Four depth = -(x.z() + loadFour(points.z + i)), weight = loadFour(points.weight + i);
+    const Four R1 = squareRoot(dx * dx + dy * dy + depth * depth), rho = R1 + depth;
+    log += weight * logarithm(rho);
+    logAlong += weight * (along.x() * dx + along.y() * dy) / (R1 * rho);
   }
-  for (const QuadraturePoint& point : panelQuadrature(source, 4)) addLog(x, along, point, sum);
+  sum.log += sumOf(log);
+  sum.logAlong += sumOf(logAlong);
 }
 
 }  // namespace
 
-NearImage nearImage(const Vec3& x, const Panel& source, const RankinePanel& rankine,
+QuarteredPanel::QuarteredPanel(const Panel& panel) : panel_(panel), radius_(0.0) {
+  for (const Vec3& corner : panel.corner)
+    radius_ = std::max(radius_, (corner - panel.centroid).norm());
+}
+
+void QuarteredPanel::makePoints() {
+  for (const auto& [at, share] : panelQuadrature(panel_, 4)) {
+    x_.push_back(at.x());
+    y_.push_back(at.y());
+    z_.push_back(at.z());
+    weight_.push_back(share);
+  }
+}
+
+void QuarteredPanel::addLog(const Vec3& x, const Vec3& along, int depth, NearImage& sum) {
+  const Vec3 image(x.x(), x.y(), -x.z());
+  if (depth > 0 && (image - panel_.centroid).norm() < 2.0 * radius_) {
+    if (quarters_.empty())
+      for (const Panel& part : cutwater::quarters(panel_)) quarters_.emplace_back(part);
+    for (QuarteredPanel& part : quarters_) part.addLog(x, along, depth - 1, sum);
+    return;
+  }
+  if (x_.empty()) makePoints();
+  addLogs(x, along, {x_.data(), y_.data(), z_.data(), weight_.data(), x_.size()}, sum);
+}
+
+NearImage nearImage(const Vec3& x, QuarteredPanel& source, const RankinePanel& rankine,
                     const Vec3& along) {
+  const Panel& panel = source.panel();
   NearImage sum;
   const Vec3 image(x.x(), x.y(), -x.z());
   const RankineIntegrals integrals = rankine.at(image);
   sum.inverse = integrals.potential;
   sum.inverseAlong = -along.dot(integrals.gradient);
-  sum.distance = (source.centroid - image).norm();
+  sum.distance = (panel.centroid - image).norm();
   const double tiny = 1e-9 * rankine.radius();
-  if (std::abs(x.z()) < tiny && std::abs(source.centroid.z()) < tiny &&
-      source.normal.z() > 1 - 1e-12) {
+  if (std::abs(x.z()) < tiny && std::abs(panel.centroid.z()) < tiny &&
+      panel.normal.z() > 1 - 1e-12) {
     sum.log = rankine.logarithmInPlane(x);
     return sum;
   }
   constexpr int kDeepest = 5;
-  addSubdivided(x, along, source, kDeepest, sum);
+  source.addLog(x, along, kDeepest, sum);
   return sum;
 }
 

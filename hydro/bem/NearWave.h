@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <vector>
 
 #include "hydro/Vector.h"
 #include "hydro/geometry/PanelQuadrature.h"
@@ -17,10 +18,28 @@ struct NearImage {
   double logAlong = 0.0;      ///< ∫ e_h·∇_ξ ln ρ dS [m], e_h the horizontal part of e
 };
 
-/// Exact where x and the panel are both on z = 0; else `log` and `logAlong` by Gauss points on
-/// quarters of quarters of the panel, relative error below 1e-5.
+/// A source panel and its quarters, their quarters and so on with Gauss points on each, made when first
+/// asked for: for many field points. One thread.
+class QuarteredPanel {
+ public:
+  explicit QuarteredPanel(const Panel& panel);
+  const Panel& panel() const { return panel_; }
+  /// Adds `log` and `logAlong`, quartered until each part is smaller than its distance from the image of x, `depth`
+  /// times at most; the 4 × 4 rule then leaves less than 1e-5 of a logarithm.
+  void addLog(const Vec3& x, const Vec3& along, int depth, NearImage& sum);
+
+ private:
+  void makePoints();
+
+  Panel panel_;
+  double radius_;                           // centroid to the farthest corner [m]
+  std::vector<double> x_, y_, z_, weight_;  // of the points
+  std::vector<QuarteredPanel> quarters_;
+};
+
+/// Exact where x and the panel are both on z = 0; else `log` and `logAlong` by QuarteredPanel.
 /// @param rankine of the same panel.  @param along e.
-NearImage nearImage(const Vec3& x, const Panel& source, const RankinePanel& rankine,
+NearImage nearImage(const Vec3& x, QuarteredPanel& source, const RankinePanel& rankine,
                     const Vec3& along);
 
 /// Wave part g = K F − 2πiK e^{−Y}J₀ of −4πG, integrated over a source panel.

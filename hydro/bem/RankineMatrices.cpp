@@ -147,6 +147,7 @@ void RankineMatrices::integrate(int source) {
 void RankineMatrices::findNear(int source) {
   const Panel& panel = pairs_.panel(source);
   const RankinePanel rankine = rankineOf(panel);
+  QuarteredPanel quartered(panel);
   for (int m = 0; m < pairs_.parities(); ++m)
     for (int field = 0; field < pairs_.all(); ++field) {
       NearPair near{{field, source, m == 1}, {}, {}, 0};
@@ -156,9 +157,9 @@ void RankineMatrices::findNear(int source) {
       for (const QuadraturePoint& point : pairs_.galerkin(field)) {
         const Vec3 x = imageInY(point.x, m == 1);
         const double weight = point.weight / seen.area;
-        add(nearImage(x, panel, rankine, along), weight, near.image);
+        add(nearImage(x, quartered, rankine, along), weight, near.image);
         if (pairs_.settings().xDerivative)
-          add(nearImage(x, panel, rankine, -Vec3::UnitX()), weight, near.alongX);
+          add(nearImage(x, quartered, rankine, -Vec3::UnitX()), weight, near.alongX);
       }
       near.image.distance = near.alongX.distance =
           (imageInZ(imageInY(seen.centroid, m == 1)) - panel.centroid).norm();

@@ -36,10 +36,15 @@ RankinePanel rankineOf(const Panel& panel) {
   return RankinePanel(std::span(panel.corner.data(), static_cast<std::size_t>(panel.corners)));
 }
 
+NearImage imageOf(const Vec3& x, const Panel& panel) {
+  QuarteredPanel quartered(panel);
+  return nearImage(x, quartered, rankineOf(panel), panel.normal);
+}
+
 WaveIntegral split(const Vec3& x, const Panel& panel, double K) {
   const QuadraturePoint field{x, 1.0};
   const NearSums sums({&field, 1}, false, panelQuadrature(panel, 2), K);
-  return nearWave(sums, 1.0, nearImage(x, panel, rankineOf(panel), panel.normal), panel.normal, K);
+  return nearWave(sums, 1.0, imageOf(x, panel), panel.normal, K);
 }
 
 // What is left after the split varies as R ln R over a panel; 2 × 2 points leave a small part of
@@ -98,19 +103,16 @@ TEST(NearWaveConvergence, FewPointsOnBothPanels) {
 // 2 ln 2 − 6 + π.
 TEST(NearWaveClosedForm, LogarithmOverALidPanelAboutItsCentre) {
   const Panel lid = quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
-  EXPECT_NEAR(nearImage(Vec3::Zero(), lid, rankineOf(lid), lid.normal).log,
-              2.0 * std::log(2.0) - 6.0 + kPi, 1e-12);
+  EXPECT_NEAR(imageOf(Vec3::Zero(), lid).log, 2.0 * std::log(2.0) - 6.0 + kPi, 1e-12);
 }
 
 // The quadrature of tilted panels must agree with the exact form of panels on z = 0, from 1e-8
 // below.
 TEST(NearWaveConvergence, QuadratureOfTheLogarithmMeetsTheExactFormOnTheLid) {
   const Panel lid = quad({1, -1, 0}, {3, -1, 0}, {3, 1, 0}, {1, 1, 0});
-  const RankinePanel rankine = rankineOf(lid);
   for (const Vec3& x : {Vec3(0, 0, 0), Vec3(0.3, 1.4, 0), Vec3(-1.5, 0.2, 0)}) {
-    const double exact = nearImage(x, lid, rankine, lid.normal).log;
-    EXPECT_NEAR(nearImage(x - Vec3(0, 0, 1e-8), lid, rankine, lid.normal).log, exact,
-                1e-5 * lid.area);
+    const double exact = imageOf(x, lid).log;
+    EXPECT_NEAR(imageOf(x - Vec3(0, 0, 1e-8), lid).log, exact, 1e-5 * lid.area);
   }
 }
 
