@@ -1,5 +1,5 @@
 // cutwater_bench [-o FILE.csv]: times the solver and the time domain, one row each:
-//   name,panels,threads,seconds,floor_seconds,budget_seconds,checksum
+//   name,panels,threads,seconds,floor_seconds,budget_seconds,checksum,ratio_to_floor
 // A database's floor is the LU factorizations it contains, timed here as the solver does them, in single
 // precision, and shared out to the threads; a tick's and a fleet's is Bullet's own step without
 // hydrodynamics. A fleet's seconds are for one
@@ -47,9 +47,10 @@ SolveSettings sweep(int frequencies, int threads) {
 }
 
 void add(std::string& csv, const Row& row) {
-  char line[256];
-  std::snprintf(line, sizeof line, "\"%s\",%zu,%d,%.6g,%.6g,%.6g,%.10g\n", row.name.c_str(),
-                row.panels, row.threads, row.seconds, row.floor, row.budget, row.checksum);
+  char line[256], ratio[32] = "";
+  if (row.floor > 0.0) std::snprintf(ratio, sizeof ratio, "%.3g", row.seconds / row.floor);
+  std::snprintf(line, sizeof line, "\"%s\",%zu,%d,%.6g,%.6g,%.6g,%.10g,%s\n", row.name.c_str(),
+                row.panels, row.threads, row.seconds, row.floor, row.budget, row.checksum, ratio);
   csv += line;
   std::fputs(line, stderr);
 }
@@ -62,7 +63,7 @@ int main(int argc, char** argv) try {
     return std::puts("usage: cutwater_bench [-o FILE.csv]"), 2;
   using namespace cutwater;
   using namespace cutwater::bench;
-  std::string csv = "name,panels,threads,seconds,floor_seconds,budget_seconds,checksum\n";
+  std::string csv = "name,panels,threads,seconds,floor_seconds,budget_seconds,checksum,ratio_to_floor\n";
   const Coefficients coefficients = readyForUse(buildCoefficients(frigate(224), sweep(60, 0)));
   benchTimeDomain(csv, coefficients);
   benchSolver(csv);
