@@ -63,7 +63,8 @@ int main(int argc, char** argv) try {
     return std::puts("usage: cutwater_bench [-o FILE.csv]"), 2;
   using namespace cutwater;
   using namespace cutwater::bench;
-  std::string csv = "name,panels,threads,seconds,floor_seconds,budget_seconds,checksum,ratio_to_floor\n";
+  std::string csv =
+      "name,panels,threads,seconds,floor_seconds,budget_seconds,checksum,ratio_to_floor\n";
   const Coefficients coefficients = readyForUse(buildCoefficients(frigate(224), sweep(60, 0)));
   benchTimeDomain(csv, coefficients);
   benchSolver(csv);
