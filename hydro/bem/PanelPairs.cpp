@@ -74,8 +74,8 @@ Vec3 PanelPairs::direction(const Pair& pair) const {
 bool PanelPairs::isNear(const Pair& pair) const {
   const Vec3 apart =
       imageInZ(imageInY(panel(pair.field).centroid, pair.mirrored)) - panel(pair.source).centroid;
-  const double a = size(pair.field), b = size(pair.source);
-  return apart.squaredNorm() < 0.5 * kNearRatio * kNearRatio * (a * a + b * b);
+  const double reach = kNearRatio * std::max(size(pair.field), size(pair.source));
+  return apart.squaredNorm() < reach * reach;
 }
 
 PanelPairs::WaveOn PanelPairs::waveOn(int from, int panel, double K) const {

@@ -36,7 +36,7 @@ struct Pair {
 class PanelPairs {
  public:
   static constexpr int kMostPoints = 4;  ///< per side of a panel
-  /// Images nearer than this many panel diameters (the r.m.s. of both) take the split wave term: one
+  /// Images nearer than this many panel diameters (the greater of both) take the split wave term: one
   /// point and second moments there would be off by 1e-3 and more.
   static constexpr double kNearRatio = 1.5;
 
