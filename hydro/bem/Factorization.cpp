@@ -108,7 +108,8 @@ Factorization<Scalar>::Factorization(Matrix matrix, LowMatrix room)
 
 // Columns are scaled to 1 for single precision, which has no numbers below 1e-38. A product with the
 // matrix costs as much as a solve: the first residual tells how good one solve is, the second solve is
-// taken to be four times worse. Measured on frigates with lid: 0.2 to 2 times what is expected here.
+// taken to be four times worse. Measured on frigates with lid: 0.2 to 2 times what is expected here. The
+// norm is that of M for its transpose too, whose own is as large.
 template <typename Scalar>
 typename Factorization<Scalar>::Matrix Factorization<Scalar>::refined(char form,
                                                                       const Matrix& b) const {
@@ -129,7 +130,8 @@ typename Factorization<Scalar>::Matrix Factorization<Scalar>::refined(char form,
     const Matrix change = low.template cast<Scalar>() * scale.asDiagonal();
     x += change;
     const Eigen::ArrayXd reached = greatest(x);
-    if ((kWorse * ofOneSolve * greatest(change) <= kBackwardError * reached).all()) return x;
+    if (step > 0 && (kWorse * ofOneSolve * greatest(change) <= kBackwardError * reached).all())
+      return x;
     rest = b - product<Scalar>(matrix_, form == 'T', x);
     const Eigen::ArrayXd error = greatest(rest) / (norm_ * reached + size).max(1e-300);
     if (!error.allFinite()) break;
@@ -153,7 +155,7 @@ typename Factorization<Scalar>::Matrix Factorization<Scalar>::solvedInDouble(cha
 // ‖M⁻¹‖ in the max-row-sum norm is ‖M⁻ᵀ‖₁, which an estimate from below finds in three solves: of the mean of
 // all columns, of the sum of them in which the most is in phase, taken at its greatest column; a
 // vector of alternating signs guards against cancellation. ?gecon does the same in five or more.
-//                                                                    [Hager 1984, Higham 1988]
+//                                                                    [Hager84] [Higham88]
 template <typename Scalar>
 double Factorization<Scalar>::condition() const {
   const auto n = static_cast<int>(lu_.rows());

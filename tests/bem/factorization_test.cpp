@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 #include "hydro/Conventions.h"
 #include "hydro/bem/LuByHalves.h"
@@ -29,7 +30,7 @@ double backwardError(const Eigen::MatrixXcd& m, const Eigen::MatrixXcd& x,
 
 // Single precision alone would leave 1e-7, 1e-10 are promised; beyond condition numbers of 1e7 it has no digit
 // to refine and double precision takes over.
-TEST(FactorizationIdentity, ResidualsAreThoseOfDoublePrecision) {
+TEST(FactorizationIdentity, SolutionsAreThoseOfANearbyMatrix) {
   for (const Eigen::Index n : {3, 6, 10}) {
     const Eigen::MatrixXcd m = hilbert(n);
     Eigen::MatrixXcd b = Eigen::MatrixXcd::Ones(n, 2);
@@ -48,7 +49,7 @@ TEST(FactorizationIdentity, ResidualsAreThoseOfDoublePrecision) {
 }
 
 // An estimate from below, rarely by more than a third [Higham88]; here of matrices whose inverse has one
-// great column, many alike, and random ones. 1e-3: factors in single precision, condition 1e4 at most.
+// great column, many alike, and random ones. 2e-3: factors in single precision, condition 3e4 at most.
 TEST(FactorizationIdentity, ConditionNumbersAreThoseOfTheInverse) {
   std::vector<Eigen::MatrixXcd> matrices{hilbert(3), hilbert(4), Eigen::MatrixXcd::Identity(1, 1)};
   for (const Eigen::Index n : {7, 40, 130})
@@ -59,9 +60,57 @@ TEST(FactorizationIdentity, ConditionNumbersAreThoseOfTheInverse) {
     };
     const double exact = norm(m) * norm(m.inverse());
     const double estimate = Factorization<Complex>(m).condition();
-    EXPECT_LE(estimate, exact * (1.0 + 1e-3)) << m.rows();
+    EXPECT_LE(estimate, exact * (1.0 + 2e-3)) << m.rows();
     EXPECT_GE(estimate, exact / 1.5) << m.rows();
   }
+}
+
+/// U diag(1 … 1/condition) V of random orthogonal U, V.
+template <typename Scalar>
+Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> conditioned(Eigen::Index n,
+                                                                  double condition) {
+  using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+  const auto orthogonal = [n] {
+    return Matrix(Matrix::Random(n, n).householderQr().householderQ());
+  };
+  Eigen::VectorXd values(n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    values[i] = std::pow(condition, -static_cast<double>(i) / static_cast<double>(n - 1));
+  return orthogonal() * values.asDiagonal() * orthogonal();
+}
+
+template <typename Scalar>
+void expectSmallBackwardErrors() {
+  using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+  for (const double condition : {1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7}) {
+    const Matrix m = conditioned<Scalar>(90, condition), b = Matrix::Random(90, 3);
+    const Factorization<Scalar> factors(m);
+    const Matrix x = factors.solve(b), y = factors.solveTransposed(b);
+    for (Eigen::Index c = 0; c < 3; ++c) {
+      EXPECT_LT(backwardError(m.template cast<Complex>(), x.col(c).template cast<Complex>(),
+                              b.col(c).template cast<Complex>()),
+                Factorization<Scalar>::kBackwardError)
+          << condition;
+      EXPECT_LT(backwardError(m.transpose().template cast<Complex>(),
+                              y.col(c).template cast<Complex>(), b.col(c).template cast<Complex>()),
+                Factorization<Scalar>::kBackwardError)
+          << condition;
+    }
+  }
+}
+
+// From condition numbers where two solves and one residual do, through more of both, to those where single
+// precision does not: what is promised, real and complex.
+TEST(FactorizationIdentity, BackwardErrorsAtEveryConditionNumber) {
+  expectSmallBackwardErrors<double>();
+  expectSmallBackwardErrors<Complex>();
+}
+
+// 1e-39 is no normal number of single precision, 1e39 none at all.
+TEST(FactorizationClosedForm, WhatSinglePrecisionCannotHoldDoublePrecisionSolves) {
+  const Eigen::MatrixXd tiny = Eigen::MatrixXd::Constant(1, 1, 1e-39);
+  const Factorization<double> factors(tiny);
+  EXPECT_NEAR(factors.solve(Eigen::MatrixXd::Ones(1, 1))(0, 0) * 1e-39, 1.0, 1e-10);
 }
 
 TEST(Factorization, ColumnsOfZerosStayZero) {
