@@ -69,13 +69,13 @@ class PanelPairs {
   /// horizontal part changes with the variable (source).
   Vec3 direction(const Pair& pair) const;
 
-  /// The image of the field panel in z = 0 lies nearer than kNearRatio; so does it seen the other way.
+  /// The image of the field panel in z = 0 lies nearer than kNearRatio diameters; so does it seen the other way.
   bool isNear(const Pair& pair) const;
 
   /// Gauss points a side of `panel` for a wave seen from `from`, wave number K: as many as the
   /// wave length asks for, or as the settings say.
   int pointsPerSide(int from, int panel, double K) const;
-  /// As few points as that takes on a panel of a near pair: 4, 7 or 9.
+  /// As few points as that takes on a panel of a near pair: 4, 7 or, at most, 9; on a triangle 7.
   const std::vector<QuadraturePoint>& fewPoints(int from, int panel, double K) const;
   /// The same for the average over a field panel: 1 for collocation, at most 2.
   int fieldPointsPerSide(const Pair& pair, double K) const;

@@ -88,8 +88,7 @@ CUTWATER_VECTOR Sample farSample(const RankinePanel& rankine,
                                : at.doubleLayer);
     x += weight * at.gradientX;
   }
-  const auto sum = [](Four a) { return (a[0] + a[1]) + (a[2] + a[3]); };
-  return {sum(potential), sum(normal), sum(x)};
+  return {sumOf(potential), sumOf(normal), sumOf(x)};
 }
 
 }  // namespace
