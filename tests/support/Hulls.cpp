@@ -30,16 +30,6 @@ TestHull hemisphere() {
           }};
 }
 
-TestHull catamaran() {
-  const SurfaceMesh one = chinedHull(120, 6, 6, true);
-  const SurfaceMesh both = joined(moved(one, {0, 10, 0}), moved(one, {0, -10, 0}));
-  return {"catamaran", makeHull(both, "catamaran", Symmetry::Auto), [](int panels) {
-            return moved(chinedHull(byCount(panels, 28, 36, 58), byCount(panels, 2, 3, 5),
-                                    byCount(panels, 2, 3, 4), false),
-                         {0, 10, 0});
-          }};
-}
-
 /// Half breadth of the chined hull's waterline, parabolic forward of x = 5 m.
 double chinedBreadth(double x) {
   const double s = std::max(0.0, (x - 5.0) / 25.0);
@@ -98,6 +88,16 @@ TestHull testBarge() {
           }};
 }
 
+TestHull testCatamaran() {
+  const SurfaceMesh one = chinedHull(120, 6, 6, true);
+  const SurfaceMesh both = joined(moved(one, {0, 10, 0}), moved(one, {0, -10, 0}));
+  return {"catamaran", makeHull(both, "catamaran", Symmetry::Auto), [](int panels) {
+            return moved(chinedHull(byCount(panels, 28, 36, 58), byCount(panels, 2, 3, 5),
+                                    byCount(panels, 2, 3, 4), false),
+                         {0, 10, 0});
+          }};
+}
+
 TestHull testS175() {
   const CsvTable table("../meshes/s175/offsets.csv");
   std::vector<Vec3> offsets;
@@ -111,7 +111,7 @@ TestHull testS175() {
 }
 
 std::vector<TestHull> testHulls() {
-  return {testFrigate(), hemisphere(), testBarge(), catamaran(), testS175()};
+  return {testFrigate(), hemisphere(), testBarge(), testCatamaran(), testS175()};
 }
 
 SurfaceMesh chinedHull(int along, int sideRows, int bottomRows, bool closed) {

@@ -20,6 +20,7 @@ struct TestHull {
 std::vector<TestHull> testHulls();
 TestHull testFrigate();
 TestHull testBarge();
+TestHull testCatamaran();
 TestHull testS175();
 
 /// Demi-hull on its own centre plane, 60 × 6 × 3 m, vertical sides down to a chine, V bottom, transom,
