@@ -89,6 +89,8 @@ struct Coefficients {
   /// A(∞) of the ω = ∞ boundary value problem itself, where `addedMassInf` holds the better value
   /// that follows from A(ω) and B(ω) (memory/ConsistentLimit.h); zero if it does not.
   Mat6 addedMassInfDirect = Mat6::Zero();
+  /// It does: withConsistentLimit has been here, and A, B, ∂A, ∂B go on above `resolvedOmega`.
+  bool hasConsistentLimit() const { return !addedMassInfDirect.isZero(0.0); }
 
   /// ∂A, ∂B: the x-derivative integrals of theory section 1; empty if not computed.
   std::vector<Mat6> addedMassX, dampingX;

@@ -74,7 +74,7 @@ Mat6 vanishing(const Coefficients& c, const std::vector<Mat6>& data, std::size_t
 
 /// How many of ∂A, ∂B are good: all once they are continued, which goes with a consistent A(∞).
 std::size_t goodCountX(const Coefficients& c) {
-  return c.addedMassInfDirect.isZero(0.0) ? resolvedCount(c) : c.omega.size();
+  return c.hasConsistentLimit() ? c.omega.size() : resolvedCount(c);
 }
 
 Adjoint vectorsAt(const char* function, const Coefficients& c, const std::vector<Adjoint>& data,

@@ -34,7 +34,7 @@ Vec6 sizeOf(const Mat6& addedMass, double volume) {
 
 /// The ω = ∞ solution itself, whether or not the consistent value has taken its place.
 Mat6 directLimit(const Coefficients& c) {
-  const Mat6& direct = c.addedMassInfDirect.isZero(0.0) ? c.addedMassInf : c.addedMassInfDirect;
+  const Mat6& direct = c.hasConsistentLimit() ? c.addedMassInfDirect : c.addedMassInf;
   return 0.5 * (direct + direct.transpose());
 }
 
@@ -106,7 +106,7 @@ Coefficients withConsistentLimit(Coefficients coefficients) {
   const RetardationMatrix memory(coefficients, ForwardSpeedForm::Report);
   const ConsistentLimit limit = limitOf(coefficients, memory);
   if (!limit.trusted) return coefficients;
-  if (coefficients.addedMassInfDirect.isZero(0.0))
+  if (!coefficients.hasConsistentLimit())
     coefficients.addedMassInfDirect = coefficients.addedMassInf;
   coefficients.addedMassInf = limit.addedMassInf;
   continueAbove(coefficients, memory);

@@ -96,9 +96,9 @@ void RetardationMatrix::addSpeedTerms(const Coefficients& c, const Vec6& scale) 
     const auto seen = [&](std::size_t i) {
       return Mat6(c.addedMassX[i] + sineTransformX(c.omega[i]) / c.omega[i]);
     };
-    // A finished database (withConsistentLimit) has this mean already, of ∂A before it went over to ∂B's.
-    const bool finished = !c.addedMassInfDirect.isZero(0.0);
-    addedMassXInf_ = finished ? c.addedMassXInf : meanOverBand(c, seen).value_or(c.addedMassXInf);
+    // With a consistent limit it is that mean already, of ∂A before it went over to ∂B's.
+    addedMassXInf_ =
+        c.hasConsistentLimit() ? c.addedMassXInf : meanOverBand(c, seen).value_or(c.addedMassXInf);
   }
   hasSpeedTerms_ = true;
   rise_ = ofX(Level::Remaining, 0.0);
