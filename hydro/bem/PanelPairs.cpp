@@ -56,9 +56,7 @@ PanelPairs::PanelPairs(PanelMesh mesh, const InfluenceSettings& settings)
     top_.push_back(top(panel));
     moments_.emplace_back(panel);
     centroid_.push_back({{panel.centroid, panel.area}});
-    few_.push_back(
-        {cutwater::fewPoints(panel, 3), cutwater::fewPoints(panel, 5),
-         panel.corners == 3 ? cutwater::fewPoints(panel, 5) : panelQuadrature(panel, 3)});
+    seven_.push_back(sevenPoints(panel));
     points_.emplace_back();
     for (int n = 1; n <= kMostPoints; ++n)
       points_.back()[static_cast<std::size_t>(n - 1)] = panelQuadrature(panel, n);
@@ -96,11 +94,12 @@ int PanelPairs::pointsPerSide(int from, int panel, double K) const {
 }
 
 const std::vector<QuadraturePoint>& PanelPairs::fewPoints(int from, int panel, double K) const {
+  const auto& seven = seven_[static_cast<std::size_t>(panel)];
+  if (this->panel(panel).corners == 3) return seven;
   const WaveOn wave = waveOn(from, panel, K);
   const double square = wave.theta * wave.theta, fourth = wave.size * square * square;
-  const auto& few = few_[static_cast<std::size_t>(panel)];
-  if (fourth * kGaussError[1] < kWaveError) return few[0];
-  return fourth * square * kSevenPointError < kWaveError ? few[1] : few[2];
+  if (fourth * kGaussError[1] < kWaveError) return points(panel, 2);
+  return fourth * square * kSevenPointError < kWaveError ? seven : points(panel, 3);
 }
 
 int PanelPairs::fieldPointsPerSide(const Pair& pair, double K) const {

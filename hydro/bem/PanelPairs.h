@@ -95,7 +95,7 @@ class PanelPairs {
   std::vector<double> top_;    // highest z of each panel [m]
   std::vector<PanelMoments> moments_;
   std::vector<std::array<std::vector<QuadraturePoint>, kMostPoints>> points_;
-  std::vector<std::array<std::vector<QuadraturePoint>, 3>> few_;  // 4, 7, 9
+  std::vector<std::vector<QuadraturePoint>> seven_;  // of each panel
   std::vector<std::vector<QuadraturePoint>>
       centroid_;  // one point each; a triangle's rule has three
 };

@@ -94,12 +94,10 @@ std::vector<QuadraturePoint> panelQuadrature(const Panel& panel, int n) {
   return points;
 }
 
-std::vector<QuadraturePoint> fewPoints(const Panel& panel, int degree) {
-  const bool isTriangle = panel.corners == 3;
-  if (degree == 3 && !isTriangle) return panelQuadrature(panel, 2);
+std::vector<QuadraturePoint> sevenPoints(const Panel& panel) {
   std::vector<QuadraturePoint> points;
   points.reserve(7);
-  if (isTriangle) {
+  if (panel.corners == 3) {
     const auto& [a, b, c, unused] = panel.corner;
     const Vec3 sum = a + b + c;
     points.push_back({sum / 3.0, 0.225 * panel.area});

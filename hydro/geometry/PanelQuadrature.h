@@ -20,10 +20,9 @@ struct QuadraturePoint {
 /// first.
 std::vector<QuadraturePoint> panelQuadrature(const Panel& panel, int n);
 
-/// As few points as integrate polynomials of degree 3 or 5 on a parallelogram or triangle: 4 or 7.
-/// They do not depend on which corner is the first, but of 7 on a square.
-/// @param degree 3 (2 × 2 Gauss points; 7 on a triangle) or 5 (7: [Radon48]).
-std::vector<QuadraturePoint> fewPoints(const Panel& panel, int degree);
+/// Seven points that integrate polynomials of degree 5 on a parallelogram or triangle [Radon48]. But on
+/// a square they do not depend on which corner is the first.
+std::vector<QuadraturePoint> sevenPoints(const Panel& panel);
 
 /// The four quarters of a panel, cut at the mid-points of its edges.
 std::array<Panel, 4> quarters(const Panel& panel);

@@ -63,8 +63,8 @@ TEST(NearWaveConvergence, SplitTermOfAWaterlinePanelAndItsNeighbours) {
 // The wave term knows the distance only: field and source exchanged, one of them perhaps at −y, are the
 // same sums, to round-off of their order.
 TEST(NearWaveIdentity, ExchangedSumsAreThoseOfExchangedPanels) {
-  const auto a = fewPoints(quad({0, 1, 0}, {2, 1.1, 0}, {2, 0.9, -1}, {0, 0.8, -1}), 5);
-  const auto b = fewPoints(quad({2, 1.1, 0}, {4, 0.8, 0}, {4, 0.7, -1}, {2, 0.9, -1}), 3);
+  const auto a = sevenPoints(quad({0, 1, 0}, {2, 1.1, 0}, {2, 0.9, -1}, {0, 0.8, -1}));
+  const auto b = panelQuadrature(quad({2, 1.1, 0}, {4, 0.8, 0}, {4, 0.7, -1}, {2, 0.9, -1}), 2);
   for (const bool mirrored : {false, true})
     for (const double K : {0.05, 0.5, 3.0}) {
       const NearSums back = NearSums(a, mirrored, b, K).exchanged(mirrored),
@@ -89,7 +89,10 @@ TEST(NearWaveConvergence, FewPointsOnBothPanels) {
   const Panel wall = quad({0, 0, 0}, {3, 0, 0}, {3, 0, -2}, {0, 0, -2}),
               next = quad({3, 0, 0}, {6, 0.5, 0}, {6, 0.4, -2}, {3, 0, -2});
   for (const auto& [degree, K] : {std::pair{3, 0.2}, {3, 0.6}, {5, 0.6}, {5, 1.0}}) {
-    const NearSums few(fewPoints(wall, degree), false, fewPoints(next, degree), K),
+    const auto points = [degree = degree](const Panel& panel) {
+      return degree == 3 ? panelQuadrature(panel, 2) : sevenPoints(panel);
+    };
+    const NearSums few(points(wall), false, points(next), K),
         many(panelQuadrature(wall, 12), false, panelQuadrature(next, 12), K);
     const double theta = 0.5 * K * diameter(wall), size = many.weights;
     const double ofWaves =
