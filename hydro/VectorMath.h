@@ -23,6 +23,10 @@ CUTWATER_INLINE Four loadFour(const double* from) {
 }
 CUTWATER_INLINE double sumOf(Four x) { return (x[0] + x[2]) + (x[1] + x[3]); }
 CUTWATER_INLINE void storeFour(double* to, Four x) { __builtin_memcpy(to, &x, sizeof(x)); }
+CUTWATER_INLINE Four atLeast(Four x, double least) {
+  const Four limit = x * 0.0 + least;
+  return x > limit ? x : limit;
+}
 CUTWATER_INLINE Four squareRoot(Four x) {
   return Four{__builtin_sqrt(x[0]), __builtin_sqrt(x[1]), __builtin_sqrt(x[2]),
               __builtin_sqrt(x[3])};
@@ -53,6 +57,11 @@ CUTWATER_INLINE Four exponential(Four x) {
   return fromBits(bitsOf(power) + (bitsOf(shifted) << 52));
 }
 
+/// The same for any x: from e^−700 to e^700, which are 0 and infinite for most purposes.
+CUTWATER_INLINE Four boundedExponential(Four x) {
+  return exponential(-atLeast(-atLeast(x, -700.0), -700.0));
+}
+
 /// ln x, normal x > 0. x = 2^n m with √½ < m < √2; ln m = 2 artanh s, s = (m − 1)/(m + 1).
 CUTWATER_INLINE Four logarithm(Four x) {
   constexpr std::int64_t kRootHalf = 0x3fe6a09e667f3bcd, kExponent = -(std::int64_t{1} << 52);
@@ -70,13 +79,6 @@ CUTWATER_INLINE Four logarithm(Four x) {
                      6.666666666666735130e-01});
   const Four tail = s * (half + z * sum) + n * kLnTwoRest;
   return n * kLnTwo - ((half - tail) - f);
-}
-
-/// The same for any x: from e^−700 to e^700, which are 0 and infinite for most purposes.
-CUTWATER_INLINE Four boundedExponential(Four x) {
-  const Four least = x * 0.0 - 700.0, most = x * 0.0 + 700.0;
-  const Four above = x > least ? x : least;
-  return exponential(above < most ? above : most);
 }
 
 struct SineCosine {

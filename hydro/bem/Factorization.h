@@ -33,7 +33,7 @@ class Factorization {
   Matrix solve(const Matrix& b) const { return refined('N', b); }
   /// M⁻ᵀ b, plain transpose.
   Matrix solveTransposed(const Matrix& b) const { return refined('T', b); }
-  /// Estimate of ‖M‖·‖M⁻¹‖ in the max-row-sum norm, from below, by three solves,   [M03] (61), (62).
+  /// Estimate of ‖M‖·‖M⁻¹‖ in the max-row-sum norm, from below, by three solves   [M03] (61), (62).
   double condition() const;
   const Matrix& matrix() const noexcept { return matrix_; }
   /// Takes them back. Nothing else may be called afterwards.

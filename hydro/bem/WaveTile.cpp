@@ -20,10 +20,6 @@ CUTWATER_INLINE Four load(const WaveTile::Column& column, std::size_t k) {
 CUTWATER_INLINE void store(WaveTile::Column& column, std::size_t k, Four value) {
   storeFour(column.data() + k, value);
 }
-CUTWATER_INLINE Four atLeast(Four a, double least) {
-  const Four limit = a * 0.0 + least;
-  return a > limit ? a : limit;
-}
 
 /// Derivatives, by X and Y, of a function that is harmonic in space. The others follow:
 /// bend = (∂/∂X)/X, XX = −bend − YY.
