@@ -8,7 +8,7 @@
 #include <string>
 
 #include "demos/BulletWorld.h"
-#include "hydro/AtomicFile.h"
+#include "hydro/base/AtomicFile.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "plugin/Seaway.h"
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdio>
 
-#include "hydro/AtomicFile.h"
 #include "hydro/Errors.h"
+#include "hydro/base/AtomicFile.h"
 
 CUTWATER_PLUGIN_BEGIN
 

@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "hydro/AtomicFile.h"
 #include "hydro/Errors.h"
+#include "hydro/base/AtomicFile.h"
 
 namespace cutwater::command {
 

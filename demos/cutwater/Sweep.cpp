@@ -10,7 +10,7 @@
 #include "demos/cutwater/Progress.h"
 #include "demos/cutwater/RunShip.h"
 #include "hydro/Errors.h"
-#include "hydro/ShareOut.h"
+#include "hydro/base/ParallelFor.h"
 #include "hydro/forces/FrequencyResponse.h"
 #include "hydro/waves/Wave.h"
 

@@ -12,7 +12,7 @@
 
 #include "hydro/Conventions.h"
 #include "hydro/Errors.h"
-#include "hydro/Vector.h"
+#include "hydro/base/Simd.h"
 #include "hydro/bem/LuByHalves.h"
 #include "hydro/bem/TransposedProduct.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "hydro/Vector.h"
+#include "hydro/base/Simd.h"
 
 namespace cutwater {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "hydro/VectorMath.h"
+#include "hydro/base/SimdMath.h"
 
 namespace cutwater {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hydro/Vector.h"
+#include "hydro/base/Simd.h"
 #include "hydro/bem/PanelPairs.h"
 
 namespace cutwater {

@@ -1,5 +1,5 @@
 #pragma once
-#include "hydro/Words.h"
+#include "hydro/base/EnumNames.h"
 
 namespace cutwater {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "hydro/VectorMath.h"
+#include "hydro/base/SimdMath.h"
 #include "hydro/green/WaveTerm.h"
 
 namespace cutwater {

@@ -2,7 +2,7 @@
 #include <span>
 #include <vector>
 
-#include "hydro/Vector.h"
+#include "hydro/base/Simd.h"
 #include "hydro/geometry/PanelQuadrature.h"
 #include "hydro/green/RankineIntegrals.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "hydro/Vector.h"
+#include "hydro/base/Simd.h"
 #include "hydro/geometry/PanelMesh.h"
 
 namespace cutwater {

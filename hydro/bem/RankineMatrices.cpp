@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "hydro/VectorMath.h"
+#include "hydro/base/SimdMath.h"
 #include "hydro/bem/Parallel.h"
 
 namespace cutwater {

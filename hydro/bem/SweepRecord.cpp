@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "hydro/Fnv.h"
+#include "hydro/base/Fnv1a.h"
 
 namespace cutwater {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "hydro/Conventions.h"
-#include "hydro/VectorMath.h"
+#include "hydro/base/SimdMath.h"
 
 namespace cutwater {
 namespace {

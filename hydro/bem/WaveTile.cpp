@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "hydro/Conventions.h"
-#include "hydro/VectorMath.h"
+#include "hydro/base/SimdMath.h"
 #include "hydro/bem/NearWave.h"
 #include "hydro/green/WaveTerm.h"
 

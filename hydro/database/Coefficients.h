@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "hydro/Conventions.h"
-#include "hydro/Words.h"
+#include "hydro/base/EnumNames.h"
 #include "hydro/geometry/SurfaceMesh.h"
 
 namespace cutwater {

@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "hydro/Errors.h"
-#include "hydro/Fnv.h"
+#include "hydro/base/Fnv1a.h"
 #include "hydro/database/BemioLayout.h"
 #include "hydro/database/CutwaterGroup.h"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "hydro/Fnv.h"
+#include "hydro/base/Fnv1a.h"
 
 namespace cutwater::hdf5 {
 

@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "hydro/Errors.h"
-#include "hydro/Fnv.h"
+#include "hydro/base/Fnv1a.h"
 
 namespace cutwater {
 namespace {

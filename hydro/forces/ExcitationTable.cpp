@@ -5,7 +5,7 @@
 #include <string>
 
 #include "hydro/Errors.h"
-#include "hydro/ShareOut.h"
+#include "hydro/base/ParallelFor.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/database/Interpolation.h"
 #include "hydro/forces/SmallPanels.h"

@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "hydro/VectorMath.h"
+#include "hydro/base/SimdMath.h"
 #include "hydro/database/Interpolation.h"
 #include "hydro/forces/ExcitationTable.h"
 

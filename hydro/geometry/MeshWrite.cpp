@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <sstream>
 
-#include "hydro/AtomicFile.h"
+#include "hydro/base/AtomicFile.h"
 #include "hydro/geometry/MeshIO.h"
 
 namespace cutwater {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "hydro/Errors.h"
-#include "hydro/VectorMath.h"
+#include "hydro/base/SimdMath.h"
 
 namespace cutwater {
 namespace {

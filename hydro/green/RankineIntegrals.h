@@ -3,7 +3,7 @@
 #include <span>
 
 #include "hydro/Conventions.h"
-#include "hydro/Vector.h"
+#include "hydro/base/Simd.h"
 
 namespace cutwater {
 

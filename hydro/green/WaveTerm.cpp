@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "hydro/VectorMath.h"
+#include "hydro/base/SimdMath.h"
 #include "hydro/green/WaveTermTables.h"
 
 namespace cutwater {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "hydro/Vector.h"
+#include "hydro/base/Simd.h"
 
 namespace cutwater::wave_tables {
 

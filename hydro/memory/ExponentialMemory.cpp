@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
-#include "hydro/Vector.h"
+#include "hydro/base/Simd.h"
 #include "hydro/memory/ExponentialSum.h"
 
 namespace cutwater {

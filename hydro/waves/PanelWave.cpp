@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hydro/VectorMath.h"
+#include "hydro/base/SimdMath.h"
 #include "hydro/geometry/PanelQuadrature.h"
 
 namespace cutwater {

@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-#include "hydro/VectorMath.h"
+#include "hydro/base/SimdMath.h"
 #include "hydro/waves/SeaState.h"
 
 /// Waves of a sea by fours, for sums over all of them; internal to hydro. A block begins with four runs of

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-#include "hydro/AtomicFile.h"
+#include "hydro/base/AtomicFile.h"
 #include "hydro/geometry/Hydrostatics.h"
 #include "hydro/geometry/Shapes.h"
 #include "hydro/memory/ConsistentLimit.h"

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <thread>
 
-#include "hydro/AtomicFile.h"
 #include "hydro/Errors.h"
+#include "hydro/base/AtomicFile.h"
 
 namespace cutwater::test {
 namespace {

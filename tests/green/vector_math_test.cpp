@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "hydro/VectorMath.h"
+#include "hydro/base/SimdMath.h"
 
 // Against the same functions in extended precision. 2⁻⁵³ = 1.1e-16 is half a unit in the last place.
 namespace cutwater {

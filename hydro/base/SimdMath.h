@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "hydro/Vector.h"
+#include "hydro/base/Simd.h"
 
 // Elementary functions of four numbers at once, for loops in functions marked CUTWATER_VECTOR. Errors
 // below 2e-16 of the result, or of 1 for sine and cosine. No special values: the ranges given are all

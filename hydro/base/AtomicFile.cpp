@@ -1,4 +1,4 @@
-#include "hydro/AtomicFile.h"
+#include "hydro/base/AtomicFile.h"
 
 #include <unistd.h>
 
