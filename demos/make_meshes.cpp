@@ -8,10 +8,10 @@
 
 #include "hydro/Errors.h"
 #include "hydro/geometry/Hydrostatics.h"
-#include "hydro/geometry/Loft.h"
 #include "hydro/geometry/MeshCut.h"
 #include "hydro/geometry/MeshIO.h"
-#include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/shapes/Loft.h"
+#include "hydro/geometry/shapes/Shapes.h"
 
 namespace {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include "hydro/bem/Diffraction.h"
 #include "hydro/geometry/Lid.h"
-#include "hydro/geometry/Shapes.h"
 #include "hydro/geometry/SolverPanels.h"
+#include "hydro/geometry/shapes/Shapes.h"
 
 namespace cutwater::test {
 

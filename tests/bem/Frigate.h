@@ -1,6 +1,6 @@
 #pragma once
 #include "hydro/database/Coefficients.h"
-#include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/shapes/Shapes.h"
 
 namespace cutwater::test {
 

@@ -10,7 +10,7 @@
 
 #include "hydro/base/AtomicFile.h"
 #include "hydro/geometry/Hydrostatics.h"
-#include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/shapes/Shapes.h"
 #include "hydro/memory/ConsistentLimit.h"
 #include "tests/bench/Rows.h"
 

@@ -3,7 +3,7 @@
 
 #include "hydro/database/Coefficients.h"
 #include "hydro/geometry/Hydrostatics.h"
-#include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/shapes/Shapes.h"
 
 namespace cutwater::test {
 

@@ -5,7 +5,7 @@
 #include "hydro/geometry/MeshIO.h"
 #include "hydro/geometry/MeshIntegrals.h"
 #include "hydro/geometry/PanelMesh.h"
-#include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/shapes/Shapes.h"
 #include "tests/support/Results.h"
 
 namespace cutwater {

@@ -5,7 +5,7 @@
 #include "hydro/Errors.h"
 #include "hydro/geometry/MeshCut.h"
 #include "hydro/geometry/MeshIntegrals.h"
-#include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/shapes/Shapes.h"
 
 namespace cutwater {
 namespace {

@@ -1,4 +1,4 @@
-#include "hydro/geometry/Loft.h"
+#include "hydro/geometry/shapes/Loft.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include "hydro/Errors.h"
 #include "hydro/geometry/MeshIO.h"
-#include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/shapes/Shapes.h"
 #include "tests/geometry/MeshFiles.h"
 
 // Assimp 5.2.5 itself leaks when it gives up on some damaged files (DamageIsSurvived); ours would

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "hydro/geometry/MeshIntegrals.h"
-#include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/shapes/Shapes.h"
 
 namespace cutwater {
 namespace {

@@ -4,7 +4,7 @@
 #include "hydro/geometry/MeshIntegrals.h"
 #include "hydro/geometry/MeshRepair.h"
 #include "hydro/geometry/Panelling.h"
-#include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/shapes/Shapes.h"
 #include "tests/support/Hulls.h"
 
 namespace cutwater {

@@ -2,7 +2,7 @@
 
 #include "hydro/Errors.h"
 #include "hydro/geometry/PanelMesh.h"
-#include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/shapes/Shapes.h"
 
 namespace cutwater {
 namespace {

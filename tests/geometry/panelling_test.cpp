@@ -11,8 +11,8 @@
 #include "hydro/geometry/Lid.h"
 #include "hydro/geometry/MeshIntegrals.h"
 #include "hydro/geometry/PanelMesh.h"
-#include "hydro/geometry/Shapes.h"
 #include "hydro/geometry/SurfaceTree.h"
+#include "hydro/geometry/shapes/Shapes.h"
 #include "tests/support/Hulls.h"
 #include "tests/support/Results.h"
 

@@ -1,4 +1,4 @@
-#include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/shapes/Shapes.h"
 
 #include <gtest/gtest.h>
 

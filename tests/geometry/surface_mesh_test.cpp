@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "hydro/Errors.h"
-#include "hydro/geometry/Shapes.h"
 #include "hydro/geometry/SurfaceMesh.h"
+#include "hydro/geometry/shapes/Shapes.h"
 
 namespace cutwater {
 namespace {

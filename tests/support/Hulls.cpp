@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "hydro/geometry/Loft.h"
-#include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/shapes/Loft.h"
+#include "hydro/geometry/shapes/Shapes.h"
 #include "tests/support/CsvTable.h"
 
 namespace cutwater::test {

@@ -4,7 +4,7 @@
 
 #include "hydro/bem/BuildCoefficients.h"
 #include "hydro/database/IrregularFrequencies.h"
-#include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/shapes/Shapes.h"
 #include "tests/support/Results.h"
 
 // Two ways round the resonances of the water inside the hull: a lid that has none, and a mask over

@@ -5,7 +5,7 @@
 #include "hydro/Errors.h"
 #include "hydro/bem/BuildCoefficients.h"
 #include "hydro/geometry/Hydrostatics.h"
-#include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/shapes/Shapes.h"
 
 namespace cutwater {
 namespace {

@@ -8,7 +8,7 @@
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/forces/ExcitationForce.h"
 #include "hydro/forces/WaveExcitation.h"
-#include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/shapes/Shapes.h"
 #include "hydro/memory/ConsistentLimit.h"
 #include "hydro/memory/RadiationModel.h"
 #include "hydro/waves/Spectrum.h"

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "hydro/bem/XDerivative.h"
-#include "hydro/geometry/Shapes.h"
 #include "hydro/geometry/SolverPanels.h"
+#include "hydro/geometry/shapes/Shapes.h"
 #include "tests/support/Results.h"
 
 // ∫φ_x n_2 dS = ∫φ_y n_1 dS: the vertical part of n × ∇φ integrates to ∮φ dz, 0 on calm water. True

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "hydro/geometry/MeshIO.h"
-#include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/shapes/Shapes.h"
 #include "tests/support/CsvTable.h"
 #include "tests/support/Results.h"
 #include "tests/verification/WigleyHull.h"

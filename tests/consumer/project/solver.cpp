@@ -4,7 +4,7 @@
 
 #include "hydro/bem/BuildCoefficients.h"
 #include "hydro/database/CoefficientsFile.h"
-#include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/shapes/Shapes.h"
 
 int main(int argc, char** argv) try {
   if (argc != 2) return 2;

@@ -3,8 +3,8 @@
 
 #include "hydro/Errors.h"
 #include "hydro/geometry/PanelMesh.h"
-#include "hydro/geometry/ShapeGrid.h"
-#include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/shapes/ShapeGrid.h"
+#include "hydro/geometry/shapes/Shapes.h"
 
 namespace cutwater {
 namespace {

@@ -1,11 +1,11 @@
-#include "hydro/geometry/Loft.h"
+#include "hydro/geometry/shapes/Loft.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "hydro/Errors.h"
-#include "hydro/geometry/ShapeGrid.h"
+#include "hydro/geometry/shapes/ShapeGrid.h"
 
 namespace cutwater {
 namespace {

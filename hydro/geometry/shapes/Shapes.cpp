@@ -1,11 +1,11 @@
-#include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/shapes/Shapes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "hydro/Errors.h"
-#include "hydro/geometry/ShapeGrid.h"
+#include "hydro/geometry/shapes/ShapeGrid.h"
 
 namespace cutwater {
 namespace {

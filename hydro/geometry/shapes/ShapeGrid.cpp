@@ -1,4 +1,4 @@
-#include "hydro/geometry/ShapeGrid.h"
+#include "hydro/geometry/shapes/ShapeGrid.h"
 
 #include <algorithm>
 #include <cmath>

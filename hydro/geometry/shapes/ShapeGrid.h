@@ -2,7 +2,7 @@
 #include <functional>
 #include <vector>
 
-#include "hydro/geometry/Shapes.h"
+#include "hydro/geometry/shapes/Shapes.h"
 
 /// Building blocks of Shapes.cpp and FrigateShape.cpp; not installed.
 namespace cutwater {
