@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "hydro/geometry/MeshRepair.h"
 #include "hydro/geometry/Panelling.h"
+#include "hydro/geometry/repair/MeshRepair.h"
 
 namespace cutwater::command {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "hydro/geometry/MeshRepair.h"
+#include "hydro/geometry/repair/MeshRepair.h"
 
 namespace cutwater {
 

@@ -2,8 +2,8 @@
 
 #include "hydro/Errors.h"
 #include "hydro/geometry/MeshIntegrals.h"
-#include "hydro/geometry/MeshRepair.h"
 #include "hydro/geometry/Panelling.h"
+#include "hydro/geometry/repair/MeshRepair.h"
 #include "hydro/geometry/shapes/Shapes.h"
 #include "tests/support/Hulls.h"
 

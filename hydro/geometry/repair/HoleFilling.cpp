@@ -1,4 +1,4 @@
-#include "hydro/geometry/HoleFilling.h"
+#include "hydro/geometry/repair/HoleFilling.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "hydro/geometry/OutsideView.h"
+#include "hydro/geometry/repair/OutsideView.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "hydro/geometry/OutsideShell.h"
+#include "hydro/geometry/repair/OutsideShell.h"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "hydro/Errors.h"
-#include "hydro/geometry/CrackClosing.h"
 #include "hydro/geometry/HullShells.h"
-#include "hydro/geometry/OutsideView.h"
-#include "hydro/geometry/ShellSplit.h"
+#include "hydro/geometry/repair/CrackClosing.h"
+#include "hydro/geometry/repair/OutsideView.h"
+#include "hydro/geometry/repair/ShellSplit.h"
 
 namespace cutwater {
 namespace {

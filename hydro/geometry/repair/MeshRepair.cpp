@@ -1,4 +1,4 @@
-#include "hydro/geometry/MeshRepair.h"
+#include "hydro/geometry/repair/MeshRepair.h"
 
 #include <fmt/format.h>
 
@@ -6,14 +6,14 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
-#include "hydro/geometry/CrackClosing.h"
-#include "hydro/geometry/HoleFilling.h"
 #include "hydro/geometry/HullShells.h"
 #include "hydro/geometry/MeshCut.h"
 #include "hydro/geometry/MeshIntegrals.h"
-#include "hydro/geometry/OutsideShell.h"
-#include "hydro/geometry/SurfacePatches.h"
 #include "hydro/geometry/SurfaceTree.h"
+#include "hydro/geometry/repair/CrackClosing.h"
+#include "hydro/geometry/repair/HoleFilling.h"
+#include "hydro/geometry/repair/OutsideShell.h"
+#include "hydro/geometry/repair/SurfacePatches.h"
 
 namespace cutwater {
 namespace {

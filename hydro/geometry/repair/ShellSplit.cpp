@@ -1,10 +1,10 @@
-#include "hydro/geometry/ShellSplit.h"
+#include "hydro/geometry/repair/ShellSplit.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "hydro/geometry/CrackClosing.h"
 #include "hydro/geometry/SurfaceTree.h"
+#include "hydro/geometry/repair/CrackClosing.h"
 
 namespace cutwater {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
-#include "hydro/geometry/SurfacePatches.h"
 #include "hydro/geometry/SurfaceTree.h"
+#include "hydro/geometry/repair/SurfacePatches.h"
 
 namespace cutwater {
 

@@ -1,4 +1,4 @@
-#include "hydro/geometry/CrackClosing.h"
+#include "hydro/geometry/repair/CrackClosing.h"
 
 #include <algorithm>
 #include <map>

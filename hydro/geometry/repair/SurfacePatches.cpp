@@ -1,4 +1,4 @@
-#include "hydro/geometry/SurfacePatches.h"
+#include "hydro/geometry/repair/SurfacePatches.h"
 
 #include <algorithm>
 #include <cstdint>
