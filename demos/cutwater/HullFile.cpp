@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "hydro/geometry/Panelling.h"
+#include "hydro/geometry/panelling/Panelling.h"
 #include "hydro/geometry/repair/MeshRepair.h"
 
 namespace cutwater::command {

@@ -5,7 +5,7 @@
 #include "demos/cutwater/Commands.h"
 #include "demos/cutwater/HullFile.h"
 #include "hydro/geometry/MeshIntegrals.h"
-#include "hydro/geometry/Panelling.h"
+#include "hydro/geometry/panelling/Panelling.h"
 
 namespace cutwater::command {
 

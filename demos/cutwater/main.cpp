@@ -7,7 +7,7 @@
 #include "demos/cutwater/HullFile.h"
 #include "demos/cutwater/Precision.h"
 #include "hydro/Errors.h"
-#include "hydro/geometry/Panelling.h"
+#include "hydro/geometry/panelling/Panelling.h"
 
 namespace {
 

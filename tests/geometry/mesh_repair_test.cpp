@@ -2,7 +2,7 @@
 
 #include "hydro/Errors.h"
 #include "hydro/geometry/MeshIntegrals.h"
-#include "hydro/geometry/Panelling.h"
+#include "hydro/geometry/panelling/Panelling.h"
 #include "hydro/geometry/repair/MeshRepair.h"
 #include "hydro/geometry/shapes/Shapes.h"
 #include "tests/support/Hulls.h"

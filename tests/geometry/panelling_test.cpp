@@ -1,4 +1,4 @@
-#include "hydro/geometry/Panelling.h"
+#include "hydro/geometry/panelling/Panelling.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -6,12 +6,12 @@
 #include <algorithm>
 
 #include "hydro/Errors.h"
-#include "hydro/geometry/FlatPolygon.h"
 #include "hydro/geometry/HullShells.h"
 #include "hydro/geometry/Lid.h"
 #include "hydro/geometry/MeshIntegrals.h"
 #include "hydro/geometry/PanelMesh.h"
 #include "hydro/geometry/SurfaceTree.h"
+#include "hydro/geometry/panelling/FlatPolygon.h"
 #include "hydro/geometry/shapes/Shapes.h"
 #include "tests/support/Hulls.h"
 #include "tests/support/Results.h"

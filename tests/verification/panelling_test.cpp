@@ -1,4 +1,4 @@
-#include "hydro/geometry/Panelling.h"
+#include "hydro/geometry/panelling/Panelling.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>

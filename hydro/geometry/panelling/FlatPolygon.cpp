@@ -1,4 +1,4 @@
-#include "hydro/geometry/FlatPolygon.h"
+#include "hydro/geometry/panelling/FlatPolygon.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
-#include "hydro/geometry/SectionRow.h"
-#include "hydro/geometry/SectionStrands.h"
+#include "hydro/geometry/panelling/SectionRow.h"
+#include "hydro/geometry/panelling/SectionStrands.h"
 
 /// Panels on the strands of a wet hull; not installed.
 namespace cutwater {

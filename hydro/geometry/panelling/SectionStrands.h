@@ -1,5 +1,5 @@
 #pragma once
-#include "hydro/geometry/SectionCurves.h"
+#include "hydro/geometry/panelling/SectionCurves.h"
 
 /// Sections followed along an axis; not installed.
 namespace cutwater {

@@ -1,4 +1,4 @@
-#include "hydro/geometry/SectionCurves.h"
+#include "hydro/geometry/panelling/SectionCurves.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "hydro/geometry/Panelling.h"
+#include "hydro/geometry/panelling/Panelling.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -9,8 +9,8 @@
 #include "hydro/geometry/HullShells.h"
 #include "hydro/geometry/MeshIntegrals.h"
 #include "hydro/geometry/PanelMesh.h"
-#include "hydro/geometry/SectionPanels.h"
-#include "hydro/geometry/StationField.h"
+#include "hydro/geometry/panelling/SectionPanels.h"
+#include "hydro/geometry/panelling/StationField.h"
 
 namespace cutwater {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "hydro/geometry/SectionCurves.h"
+#include "hydro/geometry/panelling/SectionCurves.h"
 
 /// Curves divided into panel edges, and the panels between two of them; not installed.
 namespace cutwater {

@@ -1,4 +1,4 @@
-#include "hydro/geometry/StationField.h"
+#include "hydro/geometry/panelling/StationField.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "hydro/geometry/SectionPanels.h"
+#include "hydro/geometry/panelling/SectionPanels.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "hydro/geometry/BendMeasure.h"
-#include "hydro/geometry/FlatEnd.h"
-#include "hydro/geometry/PanelRows.h"
+#include "hydro/geometry/panelling/BendMeasure.h"
+#include "hydro/geometry/panelling/FlatEnd.h"
+#include "hydro/geometry/panelling/PanelRows.h"
 
 namespace cutwater {
 namespace {

@@ -1,4 +1,4 @@
-#include "hydro/geometry/BendMeasure.h"
+#include "hydro/geometry/panelling/BendMeasure.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
-#include "hydro/geometry/SectionRow.h"
+#include "hydro/geometry/panelling/SectionRow.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "hydro/geometry/BendMeasure.h"
-#include "hydro/geometry/PanelRows.h"
+#include "hydro/geometry/panelling/BendMeasure.h"
+#include "hydro/geometry/panelling/PanelRows.h"
 
 namespace cutwater {
 namespace {

@@ -1,9 +1,9 @@
-#include "hydro/geometry/SectionStrands.h"
+#include "hydro/geometry/panelling/SectionStrands.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "hydro/geometry/SectionRow.h"
+#include "hydro/geometry/panelling/SectionRow.h"
 
 namespace cutwater {
 namespace {

@@ -1,4 +1,4 @@
-#include "hydro/geometry/PanelRows.h"
+#include "hydro/geometry/panelling/PanelRows.h"
 
 #include <algorithm>
 #include <cmath>

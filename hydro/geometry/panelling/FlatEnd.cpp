@@ -1,11 +1,11 @@
-#include "hydro/geometry/FlatEnd.h"
+#include "hydro/geometry/panelling/FlatEnd.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "hydro/geometry/FlatPolygon.h"
-#include "hydro/geometry/PanelRows.h"
-#include "hydro/geometry/Panelling.h"
+#include "hydro/geometry/panelling/FlatPolygon.h"
+#include "hydro/geometry/panelling/PanelRows.h"
+#include "hydro/geometry/panelling/Panelling.h"
 
 namespace cutwater {
 namespace {
