@@ -6,7 +6,7 @@
 #include "hydro/bem/Diffraction.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/forces/WaveExcitation.h"
-#include "hydro/geometry/Lid.h"
+#include "hydro/geometry/panels/Lid.h"
 #include "hydro/memory/ConsistentLimit.h"
 
 namespace cutwater::report {

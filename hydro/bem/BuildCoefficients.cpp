@@ -13,8 +13,8 @@
 #include "hydro/bem/SweepRecord.h"
 #include "hydro/database/IrregularFrequencies.h"
 #include "hydro/database/SweepJournal.h"
-#include "hydro/geometry/Lid.h"
-#include "hydro/geometry/SolverPanels.h"
+#include "hydro/geometry/panels/Lid.h"
+#include "hydro/geometry/panels/SolverPanels.h"
 
 namespace cutwater {
 namespace {

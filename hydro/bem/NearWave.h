@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "hydro/base/Simd.h"
-#include "hydro/geometry/PanelQuadrature.h"
+#include "hydro/geometry/panels/PanelQuadrature.h"
 #include "hydro/green/RankineIntegrals.h"
 
 namespace cutwater {

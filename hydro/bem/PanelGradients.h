@@ -2,7 +2,7 @@
 #include <map>
 #include <vector>
 
-#include "hydro/geometry/PanelMesh.h"
+#include "hydro/geometry/panels/PanelMesh.h"
 
 namespace cutwater {
 

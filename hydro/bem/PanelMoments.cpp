@@ -1,6 +1,6 @@
 #include "hydro/bem/PanelMoments.h"
 
-#include "hydro/geometry/PanelQuadrature.h"
+#include "hydro/geometry/panels/PanelQuadrature.h"
 
 namespace cutwater {
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "hydro/base/Simd.h"
-#include "hydro/geometry/PanelMesh.h"
+#include "hydro/geometry/panels/PanelMesh.h"
 
 namespace cutwater {
 

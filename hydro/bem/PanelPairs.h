@@ -4,8 +4,8 @@
 
 #include "hydro/bem/Formulation.h"
 #include "hydro/bem/PanelMoments.h"
-#include "hydro/geometry/PanelMesh.h"
-#include "hydro/geometry/PanelQuadrature.h"
+#include "hydro/geometry/panels/PanelMesh.h"
+#include "hydro/geometry/panels/PanelQuadrature.h"
 
 namespace cutwater {
 

@@ -8,7 +8,7 @@
 
 #include "hydro/Errors.h"
 #include "hydro/database/Interpolation.h"
-#include "hydro/geometry/SolverPanels.h"
+#include "hydro/geometry/panels/SolverPanels.h"
 #include "hydro/waves/IncidentWaveForce.h"
 
 namespace cutwater {

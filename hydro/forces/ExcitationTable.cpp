@@ -10,7 +10,7 @@
 #include "hydro/database/Interpolation.h"
 #include "hydro/forces/SmallPanels.h"
 #include "hydro/forces/WaveExcitation.h"
-#include "hydro/geometry/SolverPanels.h"
+#include "hydro/geometry/panels/SolverPanels.h"
 #include "hydro/waves/IncidentWaveForce.h"
 
 namespace cutwater {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "hydro/geometry/PanelQuadrature.h"
+#include "hydro/geometry/panels/PanelQuadrature.h"
 
 namespace cutwater {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "hydro/geometry/PanelMesh.h"
+#include "hydro/geometry/panels/PanelMesh.h"
 #include "hydro/waves/IncidentWaveForce.h"
 
 /// Waves on panels that are small against them, for tables of thousands of waves; internal to hydro/forces.

@@ -8,7 +8,7 @@
 #include "hydro/Errors.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/database/Interpolation.h"
-#include "hydro/geometry/SolverPanels.h"
+#include "hydro/geometry/panels/SolverPanels.h"
 
 namespace cutwater {
 

@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "hydro/database/Coefficients.h"
-#include "hydro/geometry/PanelMesh.h"
+#include "hydro/geometry/panels/PanelMesh.h"
 #include "hydro/waves/IncidentWaveForce.h"
 
 namespace cutwater {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "hydro/base/SimdMath.h"
-#include "hydro/geometry/PanelQuadrature.h"
+#include "hydro/geometry/panels/PanelQuadrature.h"
 
 namespace cutwater {
 namespace {

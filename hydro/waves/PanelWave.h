@@ -1,5 +1,5 @@
 #pragma once
-#include "hydro/geometry/PanelMesh.h"
+#include "hydro/geometry/panels/PanelMesh.h"
 
 namespace cutwater {
 

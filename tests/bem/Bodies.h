@@ -1,7 +1,7 @@
 #pragma once
 #include "hydro/bem/Diffraction.h"
-#include "hydro/geometry/Lid.h"
-#include "hydro/geometry/SolverPanels.h"
+#include "hydro/geometry/panels/Lid.h"
+#include "hydro/geometry/panels/SolverPanels.h"
 #include "hydro/geometry/shapes/Shapes.h"
 
 namespace cutwater::test {

@@ -4,7 +4,7 @@
 #include "hydro/geometry/Hydrostatics.h"
 #include "hydro/geometry/MeshIO.h"
 #include "hydro/geometry/MeshIntegrals.h"
-#include "hydro/geometry/PanelMesh.h"
+#include "hydro/geometry/panels/PanelMesh.h"
 #include "hydro/geometry/shapes/Shapes.h"
 #include "tests/support/Results.h"
 

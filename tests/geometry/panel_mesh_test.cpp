@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "hydro/Errors.h"
-#include "hydro/geometry/PanelMesh.h"
+#include "hydro/geometry/panels/PanelMesh.h"
 #include "hydro/geometry/shapes/Shapes.h"
 
 namespace cutwater {

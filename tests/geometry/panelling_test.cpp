@@ -7,11 +7,11 @@
 
 #include "hydro/Errors.h"
 #include "hydro/geometry/HullShells.h"
-#include "hydro/geometry/Lid.h"
 #include "hydro/geometry/MeshIntegrals.h"
-#include "hydro/geometry/PanelMesh.h"
 #include "hydro/geometry/SurfaceTree.h"
 #include "hydro/geometry/panelling/FlatPolygon.h"
+#include "hydro/geometry/panels/Lid.h"
+#include "hydro/geometry/panels/PanelMesh.h"
 #include "hydro/geometry/shapes/Shapes.h"
 #include "tests/support/Hulls.h"
 #include "tests/support/Results.h"

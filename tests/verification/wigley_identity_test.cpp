@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "hydro/bem/XDerivative.h"
-#include "hydro/geometry/SolverPanels.h"
+#include "hydro/geometry/panels/SolverPanels.h"
 #include "hydro/geometry/shapes/Shapes.h"
 #include "tests/support/Results.h"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "hydro/geometry/PanelQuadrature.h"
+#include "hydro/geometry/panels/PanelQuadrature.h"
 #include "hydro/waves/PanelWave.h"
 
 namespace cutwater::test {

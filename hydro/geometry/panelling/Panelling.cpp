@@ -8,9 +8,9 @@
 #include "hydro/Errors.h"
 #include "hydro/geometry/HullShells.h"
 #include "hydro/geometry/MeshIntegrals.h"
-#include "hydro/geometry/PanelMesh.h"
 #include "hydro/geometry/panelling/SectionPanels.h"
 #include "hydro/geometry/panelling/StationField.h"
+#include "hydro/geometry/panels/PanelMesh.h"
 
 namespace cutwater {
 namespace {

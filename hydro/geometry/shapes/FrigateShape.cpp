@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
-#include "hydro/geometry/PanelMesh.h"
+#include "hydro/geometry/panels/PanelMesh.h"
 #include "hydro/geometry/shapes/ShapeGrid.h"
 #include "hydro/geometry/shapes/Shapes.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "hydro/geometry/PanelMesh.h"
+#include "hydro/geometry/panels/PanelMesh.h"
 
 namespace cutwater {
 

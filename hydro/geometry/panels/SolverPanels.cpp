@@ -1,4 +1,4 @@
-#include "hydro/geometry/SolverPanels.h"
+#include "hydro/geometry/panels/SolverPanels.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "hydro/geometry/PanelQuadrature.h"
+#include "hydro/geometry/panels/PanelQuadrature.h"
 
 namespace cutwater {
 namespace {

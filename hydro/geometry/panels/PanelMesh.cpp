@@ -1,4 +1,4 @@
-#include "hydro/geometry/PanelMesh.h"
+#include "hydro/geometry/panels/PanelMesh.h"
 
 #include <algorithm>
 #include <string>

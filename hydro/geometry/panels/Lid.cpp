@@ -1,4 +1,4 @@
-#include "hydro/geometry/Lid.h"
+#include "hydro/geometry/panels/Lid.h"
 
 #include <algorithm>
 #include <cmath>

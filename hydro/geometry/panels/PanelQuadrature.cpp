@@ -1,4 +1,4 @@
-#include "hydro/geometry/PanelQuadrature.h"
+#include "hydro/geometry/panels/PanelQuadrature.h"
 
 #include <cmath>
 
