@@ -7,9 +7,9 @@
 #include <fstream>
 
 #include "hydro/Errors.h"
+#include "hydro/files/MeshIO.h"
 #include "hydro/geometry/Hydrostatics.h"
 #include "hydro/geometry/MeshCut.h"
-#include "hydro/geometry/MeshIO.h"
 #include "hydro/geometry/shapes/Loft.h"
 #include "hydro/geometry/shapes/Shapes.h"
 

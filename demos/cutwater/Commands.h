@@ -6,7 +6,7 @@
 
 #include "hydro/Errors.h"
 #include "hydro/database/Coefficients.h"
-#include "hydro/geometry/MeshIO.h"
+#include "hydro/files/MeshIO.h"
 
 /// The subcommands of `cutwater`, one file each. Every one throws HydroError with the line to
 /// print; `out` is the file to write, or empty for stdout.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "demos/cutwater/Toml.h"
-#include "hydro/geometry/MeshIO.h"
+#include "hydro/files/MeshIO.h"
 
 namespace cutwater::command {
 

@@ -5,7 +5,7 @@
 
 #include "demos/cutwater/ShipFile.h"
 #include "hydro/Errors.h"
-#include "hydro/geometry/MeshIO.h"
+#include "hydro/files/MeshIO.h"
 
 namespace cutwater::report {
 

@@ -1,8 +1,8 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "hydro/files/MeshIO.h"
 #include "hydro/geometry/Hydrostatics.h"
-#include "hydro/geometry/MeshIO.h"
 #include "hydro/geometry/MeshIntegrals.h"
 #include "hydro/geometry/panels/PanelMesh.h"
 #include "hydro/geometry/shapes/Shapes.h"

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "hydro/Errors.h"
-#include "hydro/geometry/MeshIO.h"
+#include "hydro/files/MeshIO.h"
 #include "hydro/geometry/shapes/Shapes.h"
 #include "tests/geometry/MeshFiles.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hydro/geometry/MeshIO.h"
+#include "hydro/files/MeshIO.h"
 #include "hydro/geometry/shapes/Shapes.h"
 #include "tests/support/CsvTable.h"
 #include "tests/support/Results.h"

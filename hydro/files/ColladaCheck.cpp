@@ -1,4 +1,4 @@
-#include "hydro/geometry/ColladaCheck.h"
+#include "hydro/files/ColladaCheck.h"
 
 #include <algorithm>
 #include <map>

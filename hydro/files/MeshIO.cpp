@@ -1,4 +1,4 @@
-#include "hydro/geometry/MeshIO.h"
+#include "hydro/files/MeshIO.h"
 
 #include <assimp/BaseImporter.h>
 #include <assimp/scene.h>
@@ -12,10 +12,10 @@
 #include <sstream>
 
 #include "hydro/Errors.h"
-#include "hydro/geometry/ColladaCheck.h"
-#include "hydro/geometry/GdfReader.h"
-#include "hydro/geometry/PlyOffReader.h"
-#include "hydro/geometry/Polygons.h"
+#include "hydro/files/ColladaCheck.h"
+#include "hydro/files/GdfReader.h"
+#include "hydro/files/PlyOffReader.h"
+#include "hydro/files/Polygons.h"
 
 namespace cutwater {
 namespace {

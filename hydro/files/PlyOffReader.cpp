@@ -1,4 +1,4 @@
-#include "hydro/geometry/PlyOffReader.h"
+#include "hydro/files/PlyOffReader.h"
 
 #include <algorithm>
 #include <bit>
@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <cstring>
 
-#include "hydro/geometry/Polygons.h"
-#include "hydro/geometry/TextScanner.h"
+#include "hydro/files/Polygons.h"
+#include "hydro/files/TextScanner.h"
 
 namespace cutwater {
 namespace {

@@ -1,4 +1,4 @@
-#include "hydro/geometry/TextScanner.h"
+#include "hydro/files/TextScanner.h"
 
 #include <algorithm>
 #include <charconv>

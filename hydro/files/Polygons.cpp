@@ -1,4 +1,4 @@
-#include "hydro/geometry/Polygons.h"
+#include "hydro/files/Polygons.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #include <sstream>
 
 #include "hydro/base/AtomicFile.h"
-#include "hydro/geometry/MeshIO.h"
+#include "hydro/files/MeshIO.h"
 
 namespace cutwater {
 namespace {

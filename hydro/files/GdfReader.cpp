@@ -1,6 +1,6 @@
-#include "hydro/geometry/GdfReader.h"
+#include "hydro/files/GdfReader.h"
 
-#include "hydro/geometry/TextScanner.h"
+#include "hydro/files/TextScanner.h"
 
 namespace cutwater {
 namespace {
