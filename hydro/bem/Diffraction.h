@@ -1,6 +1,6 @@
 #pragma once
 #include "hydro/bem/XDerivative.h"
-#include "hydro/waves/IncidentWaveForce.h"
+#include "hydro/incident/IncidentWaveForce.h"
 
 namespace cutwater {
 

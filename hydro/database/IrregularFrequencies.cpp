@@ -9,7 +9,7 @@
 #include "hydro/Errors.h"
 #include "hydro/database/Interpolation.h"
 #include "hydro/geometry/panels/SolverPanels.h"
-#include "hydro/waves/IncidentWaveForce.h"
+#include "hydro/incident/IncidentWaveForce.h"
 
 namespace cutwater {
 

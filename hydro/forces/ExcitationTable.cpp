@@ -8,10 +8,10 @@
 #include "hydro/base/ParallelFor.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/database/Interpolation.h"
-#include "hydro/forces/SmallPanels.h"
 #include "hydro/forces/WaveExcitation.h"
 #include "hydro/geometry/panels/SolverPanels.h"
-#include "hydro/waves/IncidentWaveForce.h"
+#include "hydro/incident/IncidentWaveForce.h"
+#include "hydro/incident/SmallPanels.h"
 
 namespace cutwater {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hydro/database/Coefficients.h"
-#include "hydro/waves/IncidentWaveForce.h"
+#include "hydro/incident/IncidentWaveForce.h"
 #include "hydro/waves/SeaState.h"
 
 namespace cutwater {

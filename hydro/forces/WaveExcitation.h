@@ -3,7 +3,7 @@
 
 #include "hydro/database/Coefficients.h"
 #include "hydro/geometry/panels/PanelMesh.h"
-#include "hydro/waves/IncidentWaveForce.h"
+#include "hydro/incident/IncidentWaveForce.h"
 
 namespace cutwater {
 

@@ -7,7 +7,7 @@
 #include "hydro/forces/FrequencyResponse.h"
 #include "hydro/forces/RestoringForce.h"
 #include "hydro/forces/SupplementaryForces.h"
-#include "hydro/waves/IncidentWaveForce.h"
+#include "hydro/incident/IncidentWaveForce.h"
 #include "tests/forces/BoxShip.h"
 
 namespace cutwater {

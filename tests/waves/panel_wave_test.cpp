@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "hydro/geometry/panels/PanelQuadrature.h"
-#include "hydro/waves/PanelWave.h"
+#include "hydro/incident/PanelWave.h"
 
 namespace cutwater::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "hydro/forces/SmallPanels.h"
+#include "hydro/incident/SmallPanels.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "hydro/waves/PanelWave.h"
+#include "hydro/incident/PanelWave.h"
 
 #include <algorithm>
 #include <cmath>

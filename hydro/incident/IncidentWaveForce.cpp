@@ -1,9 +1,9 @@
-#include "hydro/waves/IncidentWaveForce.h"
+#include "hydro/incident/IncidentWaveForce.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "hydro/waves/PanelWave.h"
+#include "hydro/incident/PanelWave.h"
 
 namespace cutwater {
 namespace {

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "hydro/geometry/panels/PanelMesh.h"
-#include "hydro/waves/IncidentWaveForce.h"
+#include "hydro/incident/IncidentWaveForce.h"
 
 /// Waves on panels that are small against them, for tables of thousands of waves; internal to hydro/forces.
 namespace cutwater {
