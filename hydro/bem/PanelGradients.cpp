@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-#include "hydro/bem/PanelPairs.h"
+#include "hydro/bem/matrices/PanelPairs.h"
 
 namespace cutwater {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hydro/bem/Factorization.h"
-#include "hydro/bem/InfluenceMatrices.h"
+#include "hydro/bem/matrices/InfluenceMatrices.h"
 
 namespace cutwater {
 

@@ -8,7 +8,7 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
-foreach(internal green bem/InfluenceMatrices.h)
+foreach(internal green bem/matrices/InfluenceMatrices.h)
   if(EXISTS ${WORK}/prefix/include/cutwater/hydro/${internal})
     message(SEND_ERROR "hydro/${internal} is no public header, but it was installed")
   endif()

@@ -1,4 +1,4 @@
-#include "hydro/bem/FarWave.h"
+#include "hydro/bem/matrices/FarWave.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "hydro/bem/PanelMoments.h"
+#include "hydro/bem/matrices/PanelMoments.h"
 
 #include "hydro/geometry/panels/PanelQuadrature.h"
 

@@ -1,11 +1,11 @@
-#include "hydro/bem/WaveTile.h"
+#include "hydro/bem/matrices/WaveTile.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "hydro/Conventions.h"
 #include "hydro/base/SimdMath.h"
-#include "hydro/bem/NearWave.h"
+#include "hydro/bem/matrices/NearWave.h"
 #include "hydro/green/WaveTerm.h"
 
 namespace cutwater {

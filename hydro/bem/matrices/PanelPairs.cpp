@@ -1,4 +1,4 @@
-#include "hydro/bem/PanelPairs.h"
+#include "hydro/bem/matrices/PanelPairs.h"
 
 #include <algorithm>
 #include <cmath>

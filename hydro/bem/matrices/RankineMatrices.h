@@ -1,6 +1,6 @@
 #pragma once
-#include "hydro/bem/NearWave.h"
-#include "hydro/bem/PanelPairs.h"
+#include "hydro/bem/matrices/NearWave.h"
+#include "hydro/bem/matrices/PanelPairs.h"
 
 namespace cutwater {
 

@@ -1,4 +1,4 @@
-#include "hydro/bem/RankineMatrices.h"
+#include "hydro/bem/matrices/RankineMatrices.h"
 
 #include <algorithm>
 

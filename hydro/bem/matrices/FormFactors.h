@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "hydro/base/Simd.h"
-#include "hydro/bem/PanelPairs.h"
+#include "hydro/bem/matrices/PanelPairs.h"
 
 namespace cutwater {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "hydro/bem/Formulation.h"
-#include "hydro/bem/PanelMoments.h"
+#include "hydro/bem/matrices/PanelMoments.h"
 #include "hydro/geometry/panels/PanelMesh.h"
 #include "hydro/geometry/panels/PanelQuadrature.h"
 

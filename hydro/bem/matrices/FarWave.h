@@ -1,7 +1,7 @@
 #pragma once
-#include "hydro/bem/FormFactors.h"
-#include "hydro/bem/RankineMatrices.h"
-#include "hydro/bem/WaveTile.h"
+#include "hydro/bem/matrices/FormFactors.h"
+#include "hydro/bem/matrices/RankineMatrices.h"
+#include "hydro/bem/matrices/WaveTile.h"
 
 namespace cutwater {
 

@@ -1,4 +1,4 @@
-#include "hydro/bem/NearWave.h"
+#include "hydro/bem/matrices/NearWave.h"
 
 #include <array>
 #include <cmath>

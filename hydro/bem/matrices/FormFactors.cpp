@@ -1,4 +1,4 @@
-#include "hydro/bem/FormFactors.h"
+#include "hydro/bem/matrices/FormFactors.h"
 
 #include <array>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "hydro/bem/FarWave.h"
+#include "hydro/bem/matrices/FarWave.h"
 
 namespace cutwater {
 

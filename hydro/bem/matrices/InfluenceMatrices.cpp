@@ -1,4 +1,4 @@
-#include "hydro/bem/InfluenceMatrices.h"
+#include "hydro/bem/matrices/InfluenceMatrices.h"
 
 #include <algorithm>
 #include <cmath>
