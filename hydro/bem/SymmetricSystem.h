@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "hydro/bem/Factorization.h"
+#include "hydro/bem/linear/Factorization.h"
 #include "hydro/bem/matrices/InfluenceMatrices.h"
 
 namespace cutwater {

@@ -1,4 +1,4 @@
-#include "hydro/bem/Factorization.h"
+#include "hydro/bem/linear/Factorization.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <Eigen/QR>
 
 #include "hydro/Conventions.h"
-#include "hydro/bem/LuByHalves.h"
-#include "hydro/bem/TransposedProduct.h"
+#include "hydro/bem/linear/LuByHalves.h"
+#include "hydro/bem/linear/TransposedProduct.h"
 
 namespace cutwater::test {
 namespace {

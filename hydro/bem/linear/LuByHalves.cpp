@@ -1,4 +1,4 @@
-#include "hydro/bem/LuByHalves.h"
+#include "hydro/bem/linear/LuByHalves.h"
 
 #define lapack_complex_float std::complex<float>
 #define lapack_complex_double std::complex<double>

@@ -1,4 +1,4 @@
-#include "hydro/bem/Factorization.h"
+#include "hydro/bem/linear/Factorization.h"
 
 // LAPACKE's complex numbers are ours; it must be told before it is read.
 #define lapack_complex_float std::complex<float>
@@ -13,8 +13,8 @@
 #include "hydro/Conventions.h"
 #include "hydro/Errors.h"
 #include "hydro/base/Simd.h"
-#include "hydro/bem/LuByHalves.h"
-#include "hydro/bem/TransposedProduct.h"
+#include "hydro/bem/linear/LuByHalves.h"
+#include "hydro/bem/linear/TransposedProduct.h"
 
 namespace cutwater {
 namespace {

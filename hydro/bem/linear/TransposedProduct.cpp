@@ -1,4 +1,4 @@
-#include "hydro/bem/TransposedProduct.h"
+#include "hydro/bem/linear/TransposedProduct.h"
 
 #include <algorithm>
 
