@@ -3,7 +3,7 @@
 #include <map>
 
 #include "demos/report_figures/Report.h"
-#include "hydro/bem/Diffraction.h"
+#include "hydro/bem/solution/Diffraction.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/forces/WaveExcitation.h"
 #include "hydro/geometry/panels/Lid.h"

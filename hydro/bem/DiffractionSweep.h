@@ -1,6 +1,6 @@
 #pragma once
 #include "hydro/bem/BuildCoefficients.h"
-#include "hydro/bem/Diffraction.h"
+#include "hydro/bem/solution/Diffraction.h"
 
 namespace cutwater {
 

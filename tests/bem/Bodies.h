@@ -1,5 +1,5 @@
 #pragma once
-#include "hydro/bem/Diffraction.h"
+#include "hydro/bem/solution/Diffraction.h"
 #include "hydro/geometry/panels/Lid.h"
 #include "hydro/geometry/panels/SolverPanels.h"
 #include "hydro/geometry/shapes/Shapes.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "hydro/bem/Radiation.h"
+#include "hydro/bem/solution/Radiation.h"
 #include "tests/bem/Bodies.h"
 
 // Curved panels of a floating hemisphere of radius 1: integrals over the sphere, no flow is solved.

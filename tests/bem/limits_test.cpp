@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "hydro/bem/XDerivative.h"
+#include "hydro/bem/solution/XDerivative.h"
 #include "tests/bem/Bodies.h"
 #include "tests/support/CsvTable.h"
 #include "tests/support/Results.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "hydro/bem/XDerivative.h"
+#include "hydro/bem/solution/XDerivative.h"
 #include "tests/bem/Bodies.h"
 
 // ∫∂φ/∂x dS of panels by Stokes' theorem, for potentials known by a formula: no flow is solved.

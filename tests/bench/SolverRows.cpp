@@ -1,7 +1,7 @@
 #include <filesystem>
 
-#include "hydro/bem/Diffraction.h"
 #include "hydro/bem/matrices/InfluenceMatrices.h"
+#include "hydro/bem/solution/Diffraction.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/green/WaveTerm.h"
 #include "tests/bem/Bodies.h"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "hydro/bem/XDerivative.h"
+#include "hydro/bem/solution/XDerivative.h"
 #include "hydro/geometry/panels/SolverPanels.h"
 #include "hydro/geometry/shapes/Shapes.h"
 #include "tests/support/Results.h"

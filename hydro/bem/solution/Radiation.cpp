@@ -1,6 +1,6 @@
-#include "hydro/bem/Radiation.h"
+#include "hydro/bem/solution/Radiation.h"
 
-#include "hydro/bem/PanelGradients.h"
+#include "hydro/bem/solution/PanelGradients.h"
 
 namespace cutwater {
 namespace {

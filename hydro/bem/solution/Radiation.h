@@ -1,5 +1,5 @@
 #pragma once
-#include "hydro/bem/SymmetricSystem.h"
+#include "hydro/bem/solution/SymmetricSystem.h"
 
 namespace cutwater {
 

@@ -1,4 +1,4 @@
-#include "hydro/bem/SymmetricSystem.h"
+#include "hydro/bem/solution/SymmetricSystem.h"
 
 namespace cutwater {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/SparseCore>
 
-#include "hydro/bem/Radiation.h"
+#include "hydro/bem/solution/Radiation.h"
 
 namespace cutwater {
 

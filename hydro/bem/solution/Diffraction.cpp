@@ -1,4 +1,4 @@
-#include "hydro/bem/Diffraction.h"
+#include "hydro/bem/solution/Diffraction.h"
 
 namespace cutwater {
 

@@ -1,4 +1,4 @@
-#include "hydro/bem/PanelGradients.h"
+#include "hydro/bem/solution/PanelGradients.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,6 +1,6 @@
-#include "hydro/bem/XDerivative.h"
+#include "hydro/bem/solution/XDerivative.h"
 
-#include "hydro/bem/PanelGradients.h"
+#include "hydro/bem/solution/PanelGradients.h"
 
 namespace cutwater {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-#include "hydro/bem/XDerivative.h"
+#include "hydro/bem/solution/XDerivative.h"
 #include "hydro/incident/IncidentWaveForce.h"
 
 namespace cutwater {
