@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "demos/report_figures/Report.h"
-#include "hydro/bem/DiffractionSweep.h"
+#include "hydro/bem/reference/DiffractionSweep.h"
 #include "hydro/forces/FrequencyResponse.h"
 
 namespace cutwater::report {

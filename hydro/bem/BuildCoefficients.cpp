@@ -8,9 +8,9 @@
 
 #include "hydro/Errors.h"
 #include "hydro/bem/CheckSettings.h"
-#include "hydro/bem/DiffractionSweep.h"
 #include "hydro/bem/Parallel.h"
 #include "hydro/bem/SweepRecord.h"
+#include "hydro/bem/reference/DiffractionSweep.h"
 #include "hydro/database/IrregularFrequencies.h"
 #include "hydro/database/SweepJournal.h"
 #include "hydro/geometry/panels/Lid.h"

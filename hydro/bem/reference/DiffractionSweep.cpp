@@ -1,4 +1,4 @@
-#include "hydro/bem/DiffractionSweep.h"
+#include "hydro/bem/reference/DiffractionSweep.h"
 
 #include <algorithm>
 #include <cmath>
