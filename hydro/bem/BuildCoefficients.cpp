@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "hydro/Errors.h"
-#include "hydro/bem/CheckSettings.h"
 #include "hydro/bem/Parallel.h"
 #include "hydro/bem/SweepRecord.h"
 #include "hydro/bem/reference/DiffractionSweep.h"
+#include "hydro/bem/settings/CheckSettings.h"
 #include "hydro/database/IrregularFrequencies.h"
 #include "hydro/database/SweepJournal.h"
 #include "hydro/geometry/panels/Lid.h"

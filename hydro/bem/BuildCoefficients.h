@@ -1,7 +1,7 @@
 #pragma once
 #include <functional>
 
-#include "hydro/bem/Formulation.h"
+#include "hydro/bem/settings/Formulation.h"
 #include "hydro/database/Coefficients.h"
 
 namespace cutwater {

@@ -2,8 +2,8 @@
 #include <array>
 #include <vector>
 
-#include "hydro/bem/Formulation.h"
 #include "hydro/bem/matrices/PanelMoments.h"
+#include "hydro/bem/settings/Formulation.h"
 #include "hydro/geometry/panels/PanelMesh.h"
 #include "hydro/geometry/panels/PanelQuadrature.h"
 

@@ -1,4 +1,4 @@
-#include "hydro/bem/CheckSettings.h"
+#include "hydro/bem/settings/CheckSettings.h"
 
 #include <cmath>
 
