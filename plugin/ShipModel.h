@@ -2,7 +2,7 @@
 #include <memory>
 #include <mutex>
 
-#include "hydro/forces/ExcitationTable.h"
+#include "hydro/excitation/ExcitationTable.h"
 #include "hydro/memory/RadiationModel.h"
 #include "plugin/BulletTypes.h"
 

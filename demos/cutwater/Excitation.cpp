@@ -1,6 +1,6 @@
 #include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Csv.h"
-#include "hydro/forces/WaveExcitation.h"
+#include "hydro/excitation/WaveExcitation.h"
 
 namespace cutwater::command {
 

@@ -5,7 +5,7 @@
 #include "demos/report_figures/Report.h"
 #include "hydro/bem/solution/Diffraction.h"
 #include "hydro/database/CoefficientsFile.h"
-#include "hydro/forces/WaveExcitation.h"
+#include "hydro/excitation/WaveExcitation.h"
 #include "hydro/geometry/panels/Lid.h"
 #include "hydro/memory/ConsistentLimit.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "hydro/Errors.h"
-#include "hydro/forces/WaveExcitation.h"
+#include "hydro/excitation/WaveExcitation.h"
 #include "hydro/waves/PhaseBlocks.h"
 
 namespace cutwater {

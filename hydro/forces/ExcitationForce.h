@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "hydro/forces/ExcitationTable.h"
+#include "hydro/excitation/ExcitationTable.h"
 #include "hydro/forces/ForceGenerator.h"
 #include "hydro/waves/SeaState.h"
 

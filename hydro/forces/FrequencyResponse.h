@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "hydro/database/Coefficients.h"
-#include "hydro/forces/WaveExcitation.h"
+#include "hydro/excitation/WaveExcitation.h"
 
 namespace cutwater {
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "hydro/bem/BuildCoefficients.h"
-#include "hydro/forces/WaveExcitation.h"
+#include "hydro/excitation/WaveExcitation.h"
 #include "tests/bem/Frigate.h"
 #include "tests/support/Results.h"
 

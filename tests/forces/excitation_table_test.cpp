@@ -5,8 +5,8 @@
 #include <random>
 
 #include "hydro/Errors.h"
+#include "hydro/excitation/ExcitationTable.h"
 #include "hydro/forces/ExcitationForce.h"
-#include "hydro/forces/ExcitationTable.h"
 #include "tests/forces/BoxShip.h"
 
 namespace cutwater {

@@ -1,4 +1,4 @@
-#include "hydro/forces/WaveExcitation.h"
+#include "hydro/excitation/WaveExcitation.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "hydro/forces/ExcitationTable.h"
+#include "hydro/excitation/ExcitationTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "hydro/base/ParallelFor.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/database/Interpolation.h"
-#include "hydro/forces/WaveExcitation.h"
+#include "hydro/excitation/WaveExcitation.h"
 #include "hydro/geometry/panels/SolverPanels.h"
 #include "hydro/incident/IncidentWaveForce.h"
 #include "hydro/incident/SmallPanels.h"

@@ -4,7 +4,7 @@
 
 #include "hydro/base/SimdMath.h"
 #include "hydro/database/Interpolation.h"
-#include "hydro/forces/ExcitationTable.h"
+#include "hydro/excitation/ExcitationTable.h"
 
 namespace cutwater {
 
