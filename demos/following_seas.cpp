@@ -2,7 +2,7 @@
 // Look for: crests pass from bow to stern (wave_bow leads wave_stern) though they travel her way: the
 // encounter frequency is negative, here that of her roll; heave and roll settle to the frequency domain.
 #include "demos/DemoShip.h"
-#include "hydro/forces/FrequencyResponse.h"
+#include "hydro/response/FrequencyResponse.h"
 
 using namespace cutwater;
 

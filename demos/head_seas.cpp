@@ -7,7 +7,7 @@
 
 #include "demos/BulletWorld.h"
 #include "hydro/database/CoefficientsFile.h"
-#include "hydro/forces/FrequencyResponse.h"
+#include "hydro/response/FrequencyResponse.h"
 #include "plugin/Recorder.h"
 
 int main(int argc, char** argv) try {

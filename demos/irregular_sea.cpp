@@ -5,7 +5,7 @@
 
 #include "demos/BulletWorld.h"
 #include "hydro/database/CoefficientsFile.h"
-#include "hydro/forces/FrequencyResponse.h"
+#include "hydro/response/FrequencyResponse.h"
 #include "hydro/waves/Spectrum.h"
 #include "plugin/Recorder.h"
 

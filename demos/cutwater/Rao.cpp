@@ -6,7 +6,7 @@
 #include "demos/cutwater/Csv.h"
 #include "hydro/Errors.h"
 #include "hydro/database/Loading.h"
-#include "hydro/forces/FrequencyResponse.h"
+#include "hydro/response/FrequencyResponse.h"
 
 namespace cutwater::command {
 

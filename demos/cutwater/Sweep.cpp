@@ -11,7 +11,7 @@
 #include "demos/cutwater/RunShip.h"
 #include "hydro/Errors.h"
 #include "hydro/base/ParallelFor.h"
-#include "hydro/forces/FrequencyResponse.h"
+#include "hydro/response/FrequencyResponse.h"
 #include "hydro/waves/Wave.h"
 
 namespace cutwater::command {

@@ -6,7 +6,7 @@
 
 #include "demos/report_figures/Report.h"
 #include "hydro/bem/reference/DiffractionSweep.h"
-#include "hydro/forces/FrequencyResponse.h"
+#include "hydro/response/FrequencyResponse.h"
 
 namespace cutwater::report {
 

@@ -4,10 +4,10 @@
 
 #include "hydro/Errors.h"
 #include "hydro/forces/ExcitationForce.h"
-#include "hydro/forces/FrequencyResponse.h"
 #include "hydro/forces/RestoringForce.h"
 #include "hydro/forces/SupplementaryForces.h"
 #include "hydro/incident/IncidentWaveForce.h"
+#include "hydro/response/FrequencyResponse.h"
 #include "tests/forces/BoxShip.h"
 
 namespace cutwater {

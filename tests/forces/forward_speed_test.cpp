@@ -5,7 +5,7 @@
 #include "hydro/Errors.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/forces/ExcitationForce.h"
-#include "hydro/forces/FrequencyResponse.h"
+#include "hydro/response/FrequencyResponse.h"
 #include "tests/forces/BoxShip.h"
 
 namespace cutwater {

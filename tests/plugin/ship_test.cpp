@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "hydro/forces/FrequencyResponse.h"
+#include "hydro/response/FrequencyResponse.h"
 #include "tests/plugin/TestScene.h"
 #include "tests/support/Results.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "hydro/database/ForwardSpeed.h"
-#include "hydro/forces/FrequencyResponse.h"
 #include "hydro/geometry/Hydrostatics.h"
+#include "hydro/response/FrequencyResponse.h"
 
 namespace cutwater::test {
 namespace {

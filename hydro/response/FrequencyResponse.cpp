@@ -1,4 +1,4 @@
-#include "hydro/forces/FrequencyResponse.h"
+#include "hydro/response/FrequencyResponse.h"
 
 #include <fmt/format.h>
 
