@@ -5,13 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "hydro/forces/ExcitationForce.h"
-#include "hydro/forces/HullLift.h"
-#include "hydro/forces/Keepers.h"
 #include "hydro/forces/MeanCourse.h"
-#include "hydro/forces/RadiationForce.h"
-#include "hydro/forces/RestoringForce.h"
-#include "hydro/forces/SupplementaryForces.h"
+#include "hydro/forces/linear/Autopilots.h"
+#include "hydro/forces/linear/Excitation.h"
+#include "hydro/forces/linear/HullLift.h"
+#include "hydro/forces/linear/Radiation.h"
+#include "hydro/forces/linear/Restoring.h"
+#include "hydro/forces/linear/Supplementary.h"
 #include "plugin/AddedMassConstraint.h"
 #include "plugin/CourseRestraint.h"
 #include "plugin/ShipModel.h"

@@ -6,7 +6,7 @@
 
 #include "hydro/Errors.h"
 #include "hydro/excitation/ExcitationTable.h"
-#include "hydro/forces/ExcitationForce.h"
+#include "hydro/forces/linear/Excitation.h"
 #include "tests/forces/BoxShip.h"
 
 namespace cutwater {

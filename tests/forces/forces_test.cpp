@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
-#include "hydro/forces/ExcitationForce.h"
-#include "hydro/forces/RestoringForce.h"
-#include "hydro/forces/SupplementaryForces.h"
+#include "hydro/forces/linear/Excitation.h"
+#include "hydro/forces/linear/Restoring.h"
+#include "hydro/forces/linear/Supplementary.h"
 #include "hydro/incident/IncidentWaveForce.h"
 #include "hydro/response/FrequencyResponse.h"
 #include "tests/forces/BoxShip.h"

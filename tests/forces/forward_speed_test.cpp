@@ -4,7 +4,7 @@
 
 #include "hydro/Errors.h"
 #include "hydro/database/ForwardSpeed.h"
-#include "hydro/forces/ExcitationForce.h"
+#include "hydro/forces/linear/Excitation.h"
 #include "hydro/response/FrequencyResponse.h"
 #include "tests/forces/BoxShip.h"
 

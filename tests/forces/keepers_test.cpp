@@ -1,5 +1,3 @@
-#include "hydro/forces/Keepers.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +6,8 @@
 
 #include "hydro/Errors.h"
 #include "hydro/database/Coefficients.h"
-#include "hydro/forces/HullLift.h"
+#include "hydro/forces/linear/Autopilots.h"
+#include "hydro/forces/linear/HullLift.h"
 
 namespace cutwater {
 namespace {

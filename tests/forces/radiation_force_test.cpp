@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "hydro/forces/RadiationForce.h"
+#include "hydro/forces/linear/Radiation.h"
 #include "tests/memory/CausalShip.h"
 
 namespace cutwater {

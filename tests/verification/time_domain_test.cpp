@@ -7,7 +7,7 @@
 #include "hydro/bem/BuildCoefficients.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/excitation/WaveExcitation.h"
-#include "hydro/forces/ExcitationForce.h"
+#include "hydro/forces/linear/Excitation.h"
 #include "hydro/geometry/shapes/Shapes.h"
 #include "hydro/memory/ConsistentLimit.h"
 #include "hydro/memory/RadiationModel.h"

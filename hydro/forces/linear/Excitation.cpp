@@ -1,4 +1,4 @@
-#include "hydro/forces/ExcitationForce.h"
+#include "hydro/forces/linear/Excitation.h"
 
 #include <algorithm>
 #include <cmath>

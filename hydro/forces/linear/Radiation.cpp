@@ -1,4 +1,4 @@
-#include "hydro/forces/RadiationForce.h"
+#include "hydro/forces/linear/Radiation.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "hydro/forces/Keepers.h"
+#include "hydro/forces/linear/Autopilots.h"
 
 #include <algorithm>
 #include <cmath>
