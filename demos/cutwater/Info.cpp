@@ -9,7 +9,7 @@
 #include "demos/cutwater/Csv.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/database/ForwardSpeed.h"
-#include "hydro/memory/ConsistentLimit.h"
+#include "hydro/finish/ConsistentLimit.h"
 #include "hydro/memory/RadiationModel.h"
 
 namespace cutwater::command {

@@ -11,7 +11,7 @@
 #include "demos/cutwater/ShipFile.h"
 #include "hydro/Errors.h"
 #include "hydro/database/CoefficientsFile.h"
-#include "hydro/memory/ConsistentLimit.h"
+#include "hydro/finish/ConsistentLimit.h"
 
 namespace cutwater::command {
 

@@ -6,8 +6,8 @@
 #include "hydro/bem/solution/Diffraction.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/excitation/WaveExcitation.h"
+#include "hydro/finish/ConsistentLimit.h"
 #include "hydro/geometry/panels/Lid.h"
-#include "hydro/memory/ConsistentLimit.h"
 
 namespace cutwater::report {
 

@@ -87,7 +87,7 @@ struct Coefficients {
   std::vector<double> waveOmega;
 
   /// A(∞) of the ω = ∞ boundary value problem itself, where `addedMassInf` holds the better value
-  /// that follows from A(ω) and B(ω) (memory/ConsistentLimit.h); zero if it does not.
+  /// that follows from A(ω) and B(ω) (finish/ConsistentLimit.h); zero if it does not.
   Mat6 addedMassInfDirect = Mat6::Zero();
   /// It does: withConsistentLimit has been here, and A, B, ∂A, ∂B go on above `resolvedOmega`.
   bool hasConsistentLimit() const { return !addedMassInfDirect.isZero(0.0); }

@@ -33,7 +33,7 @@ Mat6 addedMassAt(const Coefficients& coefficients, double omega);
 Mat6 dampingAt(const Coefficients& coefficients, double omega);
 
 /// ∂A(ω) and ∂B(ω) at any ω ≥ 0, as A and B: ∂A through ∂A(0), ∂B as B. Unless withConsistentLimit
-/// (memory/ConsistentLimit.h) has continued them, Ω is here the last frequency that the panels resolve
+/// (finish/ConsistentLimit.h) has continued them, Ω is here the last frequency that the panels resolve
 /// (Coefficients::resolvedOmega): beyond it the solver's own ring.
 /// @throws as addedMassAt; DatabaseIncomplete if the database holds no x-derivatives.
 Mat6 addedMassXAt(const Coefficients& coefficients, double omega);

@@ -9,7 +9,7 @@
 #include "hydro/Errors.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/database/Interpolation.h"
-#include "hydro/memory/ConsistentLimit.h"
+#include "hydro/finish/ConsistentLimit.h"
 #include "hydro/memory/FourierPieces.h"
 
 namespace cutwater {

@@ -9,9 +9,9 @@
 #include <string>
 
 #include "hydro/base/AtomicFile.h"
+#include "hydro/finish/ConsistentLimit.h"
 #include "hydro/geometry/Hydrostatics.h"
 #include "hydro/geometry/shapes/Shapes.h"
-#include "hydro/memory/ConsistentLimit.h"
 #include "tests/bench/Rows.h"
 
 namespace cutwater::bench {

@@ -1,4 +1,4 @@
-#include "hydro/memory/ConsistentLimit.h"
+#include "hydro/finish/ConsistentLimit.h"
 
 #include <fmt/format.h>
 
