@@ -45,7 +45,7 @@ class Seaway final : private TickListener {
   ~Seaway() override;
 
   /// A new ship at its mean course. @param coefficients must outlive the ship; another mass
-  /// distribution on the same waterline is withLoading(coefficients, …) of database/Loading.h.
+  /// distribution on the same waterline is withLoading(coefficients, …) of database/ChangeOfLoading.h.
   /// @throws HydroError ValueOutOfRange: gravity not along −z or zero, mass or gyradii not
   /// positive, a
   ///         wave outside the database; DatabaseIncomplete: no hull in it and no shape given. Nothing has

@@ -5,7 +5,7 @@
 #include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Csv.h"
 #include "hydro/Errors.h"
-#include "hydro/database/Loading.h"
+#include "hydro/database/ChangeOfLoading.h"
 #include "hydro/response/FrequencyResponse.h"
 
 namespace cutwater::command {

@@ -1,9 +1,8 @@
-#include "hydro/database/Loading.h"
-
 #include <gtest/gtest.h>
 
 #include "hydro/Errors.h"
 #include "hydro/bem/BuildCoefficients.h"
+#include "hydro/database/ChangeOfLoading.h"
 #include "hydro/geometry/Hydrostatics.h"
 #include "hydro/geometry/shapes/Shapes.h"
 

@@ -1,4 +1,4 @@
-#include "hydro/database/Loading.h"
+#include "hydro/database/ChangeOfLoading.h"
 
 #include <fmt/format.h>
 
