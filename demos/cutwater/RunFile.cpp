@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "demos/cutwater/Commands.h"
 #include "demos/cutwater/ShipFile.h"
 #include "demos/cutwater/Toml.h"
+#include "demos/cutwater/commands/Commands.h"
 #include "hydro/Errors.h"
 #include "hydro/database/CoefficientsFile.h"
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "demos/cutwater/Commands.h"
 #include "demos/cutwater/HullFile.h"
 #include "demos/cutwater/Toml.h"
+#include "demos/cutwater/commands/Commands.h"
 #include "hydro/Errors.h"
 
 namespace cutwater::command {

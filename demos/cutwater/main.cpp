@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "demos/cutwater/Commands.h"
 #include "demos/cutwater/HullFile.h"
-#include "demos/cutwater/Precision.h"
+#include "demos/cutwater/commands/Commands.h"
+#include "demos/cutwater/commands/Precision.h"
 #include "hydro/Errors.h"
 #include "hydro/geometry/panelling/Panelling.h"
 

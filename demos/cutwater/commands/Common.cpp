@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "demos/cutwater/Commands.h"
+#include "demos/cutwater/commands/Commands.h"
 #include "hydro/Errors.h"
 #include "hydro/database/CoefficientsFile.h"
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 
-#include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Csv.h"
-#include "demos/cutwater/Precision.h"
 #include "demos/cutwater/Progress.h"
-#include "demos/cutwater/RunShip.h"
+#include "demos/cutwater/commands/Commands.h"
+#include "demos/cutwater/commands/Precision.h"
+#include "demos/cutwater/commands/RunShip.h"
 #include "hydro/Errors.h"
 #include "plugin/Recorder.h"
 

@@ -1,4 +1,4 @@
-#include "demos/cutwater/Precision.h"
+#include "demos/cutwater/commands/Precision.h"
 
 #include <unistd.h>
 

@@ -1,7 +1,7 @@
 #include <limits>
 
-#include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Csv.h"
+#include "demos/cutwater/commands/Commands.h"
 #include "hydro/database/ForwardSpeed.h"
 
 namespace cutwater::command {

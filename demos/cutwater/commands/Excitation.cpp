@@ -1,5 +1,5 @@
-#include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Csv.h"
+#include "demos/cutwater/commands/Commands.h"
 #include "hydro/excitation/WaveExcitation.h"
 
 namespace cutwater::command {

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Csv.h"
+#include "demos/cutwater/commands/Commands.h"
 #include "hydro/Errors.h"
 #include "hydro/database/ChangeOfLoading.h"
 #include "hydro/response/FrequencyResponse.h"

@@ -1,4 +1,4 @@
-#include "demos/cutwater/HarmonicFit.h"
+#include "demos/cutwater/commands/HarmonicFit.h"
 
 #include <Eigen/Dense>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "demos/cutwater/Commands.h"
 #include "demos/cutwater/HullFile.h"
+#include "demos/cutwater/commands/Commands.h"
 #include "hydro/geometry/MeshIntegrals.h"
 #include "hydro/geometry/panelling/Panelling.h"
 

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <system_error>
 
-#include "demos/cutwater/Commands.h"
 #include "demos/cutwater/Csv.h"
 #include "demos/cutwater/Progress.h"
 #include "demos/cutwater/ShipFile.h"
+#include "demos/cutwater/commands/Commands.h"
 #include "hydro/Errors.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/finish/ConsistentLimit.h"
