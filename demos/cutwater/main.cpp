@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "demos/cutwater/HullFile.h"
 #include "demos/cutwater/commands/Commands.h"
 #include "demos/cutwater/commands/Precision.h"
+#include "demos/cutwater/input/HullFile.h"
 #include "hydro/Errors.h"
 #include "hydro/geometry/panelling/Panelling.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "demos/cutwater/ShipFile.h"
+#include "demos/cutwater/input/ShipFile.h"
 #include "hydro/Errors.h"
 #include "hydro/files/MeshIO.h"
 

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "demos/cutwater/HullFile.h"
 #include "demos/cutwater/commands/Commands.h"
+#include "demos/cutwater/input/HullFile.h"
 #include "hydro/geometry/MeshIntegrals.h"
 #include "hydro/geometry/panelling/Panelling.h"
 

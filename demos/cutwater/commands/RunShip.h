@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "demos/BulletWorld.h"
-#include "demos/cutwater/RunFile.h"
+#include "demos/cutwater/input/RunFile.h"
 #include "plugin/Seaway.h"
 
 namespace cutwater::command {

@@ -7,8 +7,8 @@
 
 #include "demos/cutwater/Csv.h"
 #include "demos/cutwater/Progress.h"
-#include "demos/cutwater/ShipFile.h"
 #include "demos/cutwater/commands/Commands.h"
+#include "demos/cutwater/input/ShipFile.h"
 #include "hydro/Errors.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/finish/ConsistentLimit.h"

@@ -1,4 +1,4 @@
-#include "demos/cutwater/HullFile.h"
+#include "demos/cutwater/input/HullFile.h"
 
 #include <fmt/format.h>
 

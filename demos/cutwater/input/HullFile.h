@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "demos/cutwater/Toml.h"
+#include "demos/cutwater/input/Toml.h"
 #include "hydro/files/MeshIO.h"
 
 namespace cutwater::command {

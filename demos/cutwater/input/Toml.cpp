@@ -1,4 +1,4 @@
-#include "demos/cutwater/Toml.h"
+#include "demos/cutwater/input/Toml.h"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>

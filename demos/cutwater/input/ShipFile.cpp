@@ -1,4 +1,4 @@
-#include "demos/cutwater/ShipFile.h"
+#include "demos/cutwater/input/ShipFile.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "demos/cutwater/HullFile.h"
-#include "demos/cutwater/Toml.h"
 #include "demos/cutwater/commands/Commands.h"
+#include "demos/cutwater/input/HullFile.h"
+#include "demos/cutwater/input/Toml.h"
 #include "hydro/Errors.h"
 
 namespace cutwater::command {

@@ -1,11 +1,11 @@
-#include "demos/cutwater/RunFile.h"
+#include "demos/cutwater/input/RunFile.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "demos/cutwater/ShipFile.h"
-#include "demos/cutwater/Toml.h"
 #include "demos/cutwater/commands/Commands.h"
+#include "demos/cutwater/input/ShipFile.h"
+#include "demos/cutwater/input/Toml.h"
 #include "hydro/Errors.h"
 #include "hydro/database/CoefficientsFile.h"
 
