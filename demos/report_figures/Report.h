@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "demos/cutwater/Csv.h"
+#include "demos/cutwater/output/Csv.h"
 #include "hydro/bem/BuildCoefficients.h"
 #include "hydro/geometry/Hydrostatics.h"
 

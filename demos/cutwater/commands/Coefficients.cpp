@@ -1,7 +1,7 @@
 #include <limits>
 
-#include "demos/cutwater/Csv.h"
 #include "demos/cutwater/commands/Commands.h"
+#include "demos/cutwater/output/Csv.h"
 #include "hydro/database/ForwardSpeed.h"
 
 namespace cutwater::command {

@@ -1,5 +1,5 @@
-#include "demos/cutwater/Csv.h"
 #include "demos/cutwater/commands/Commands.h"
+#include "demos/cutwater/output/Csv.h"
 #include "hydro/excitation/WaveExcitation.h"
 
 namespace cutwater::command {

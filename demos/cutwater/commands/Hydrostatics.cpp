@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "demos/cutwater/Csv.h"
 #include "demos/cutwater/commands/Commands.h"
 #include "demos/cutwater/input/ShipFile.h"
+#include "demos/cutwater/output/Csv.h"
 
 namespace cutwater::command {
 

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <limits>
 
-#include "demos/cutwater/Csv.h"
 #include "demos/cutwater/commands/Commands.h"
+#include "demos/cutwater/output/Csv.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/finish/ConsistentLimit.h"

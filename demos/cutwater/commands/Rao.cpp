@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "demos/cutwater/Csv.h"
 #include "demos/cutwater/commands/Commands.h"
+#include "demos/cutwater/output/Csv.h"
 #include "hydro/Errors.h"
 #include "hydro/database/ChangeOfLoading.h"
 #include "hydro/response/FrequencyResponse.h"

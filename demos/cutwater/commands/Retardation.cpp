@@ -4,8 +4,8 @@
 #include <limits>
 #include <optional>
 
-#include "demos/cutwater/Csv.h"
 #include "demos/cutwater/commands/Commands.h"
+#include "demos/cutwater/output/Csv.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/memory/RetardationMatrix.h"
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 
-#include "demos/cutwater/Csv.h"
-#include "demos/cutwater/Progress.h"
 #include "demos/cutwater/commands/Commands.h"
 #include "demos/cutwater/commands/Precision.h"
 #include "demos/cutwater/commands/RunShip.h"
+#include "demos/cutwater/output/Csv.h"
+#include "demos/cutwater/output/Progress.h"
 #include "hydro/Errors.h"
 #include "plugin/Recorder.h"
 

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <system_error>
 
-#include "demos/cutwater/Csv.h"
-#include "demos/cutwater/Progress.h"
 #include "demos/cutwater/commands/Commands.h"
 #include "demos/cutwater/input/ShipFile.h"
+#include "demos/cutwater/output/Csv.h"
+#include "demos/cutwater/output/Progress.h"
 #include "hydro/Errors.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/finish/ConsistentLimit.h"

@@ -3,12 +3,12 @@
 #include <atomic>
 #include <cmath>
 
-#include "demos/cutwater/Csv.h"
-#include "demos/cutwater/Progress.h"
 #include "demos/cutwater/commands/Commands.h"
 #include "demos/cutwater/commands/HarmonicFit.h"
 #include "demos/cutwater/commands/Precision.h"
 #include "demos/cutwater/commands/RunShip.h"
+#include "demos/cutwater/output/Csv.h"
+#include "demos/cutwater/output/Progress.h"
 #include "hydro/Errors.h"
 #include "hydro/base/ParallelFor.h"
 #include "hydro/response/FrequencyResponse.h"

@@ -1,4 +1,4 @@
-#include "demos/cutwater/Csv.h"
+#include "demos/cutwater/output/Csv.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "demos/cutwater/Progress.h"
+#include "demos/cutwater/output/Progress.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
