@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "demos/BulletWorld.h"
+#include "demos/scenes/BulletWorld.h"
 #include "hydro/waves/Spectrum.h"
 #include "plugin/Seaway.h"
 #include "tests/bench/Rows.h"

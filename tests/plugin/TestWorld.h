@@ -3,7 +3,7 @@
 #include <random>
 #include <string>
 
-#include "demos/BulletWorld.h"
+#include "demos/scenes/BulletWorld.h"
 #include "plugin/BulletTypes.h"
 
 /// What the plugin's tests share. All of it is compiled once for each precision of Bullet.

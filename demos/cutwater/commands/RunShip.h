@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
-#include "demos/BulletWorld.h"
 #include "demos/cutwater/input/RunFile.h"
+#include "demos/scenes/BulletWorld.h"
 #include "plugin/Seaway.h"
 
 namespace cutwater::command {

@@ -3,7 +3,7 @@
 // the solver's iterations (5 to 100) change nothing but the first digits of what is lost.
 #include <algorithm>
 
-#include "demos/DemoShip.h"
+#include "demos/scenes/DemoShip.h"
 
 using namespace cutwater;
 

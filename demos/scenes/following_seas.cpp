@@ -1,7 +1,7 @@
 // The ship at 20 knots in a sea from astern that she overtakes: following_seas DATABASE.h5 [OUT.csv]
 // Look for: crests pass from bow to stern (wave_bow leads wave_stern) though they travel her way: the
 // encounter frequency is negative, here that of her roll; heave and roll settle to the frequency domain.
-#include "demos/DemoShip.h"
+#include "demos/scenes/DemoShip.h"
 #include "hydro/response/FrequencyResponse.h"
 
 using namespace cutwater;

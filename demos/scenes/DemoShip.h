@@ -7,7 +7,7 @@
 #include <initializer_list>
 #include <string>
 
-#include "demos/BulletWorld.h"
+#include "demos/scenes/BulletWorld.h"
 #include "hydro/base/AtomicFile.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "plugin/Seaway.h"

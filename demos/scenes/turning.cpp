@@ -3,7 +3,7 @@
 // to tick. Left alone while yawing (run 2) the lift of her hull steadies her, and her energy only falls.
 #include <algorithm>
 
-#include "demos/DemoShip.h"
+#include "demos/scenes/DemoShip.h"
 #include "hydro/waves/Spectrum.h"
 
 using namespace cutwater;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <deque>
 
-#include "demos/DemoShip.h"
+#include "demos/scenes/DemoShip.h"
 
 using namespace cutwater;
 

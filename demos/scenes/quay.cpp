@@ -3,7 +3,7 @@
 // all is her momentum with the water's; she drifts off at a tenth of her speed and energy never rises.
 #include <algorithm>
 
-#include "demos/DemoShip.h"
+#include "demos/scenes/DemoShip.h"
 
 using namespace cutwater;
 

@@ -3,7 +3,7 @@
 // with the period of its rope; the energy of ship, water and load only falls.
 #include <algorithm>
 
-#include "demos/DemoShip.h"
+#include "demos/scenes/DemoShip.h"
 
 using namespace cutwater;
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "demos/BulletWorld.h"
+#include "demos/scenes/BulletWorld.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/response/FrequencyResponse.h"
 #include "hydro/waves/Spectrum.h"

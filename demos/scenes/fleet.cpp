@@ -6,7 +6,7 @@
 #include <cstring>
 #include <vector>
 
-#include "demos/DemoShip.h"
+#include "demos/scenes/DemoShip.h"
 #include "hydro/waves/Spectrum.h"
 
 using namespace cutwater;

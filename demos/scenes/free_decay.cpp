@@ -3,7 +3,7 @@
 // 10).
 #include <cstdio>
 
-#include "demos/BulletWorld.h"
+#include "demos/scenes/BulletWorld.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "plugin/Recorder.h"
 
