@@ -116,7 +116,7 @@ def check_bounds(folder, path):
 
 
 def check_table2(folder, path):
-    """Volume, centre of buoyancy and wetted surface within 0.3 %, the line of tests/geometry/frigate_test.cpp."""
+    """Volume, centre of buoyancy and wetted surface within 0.3 %, the line of tests/geometry/shapes/frigate_test.cpp."""
     with open(path, encoding="utf-8") as file:
         report = list(csv.DictReader(line for line in file if not line.startswith("#")))
     wrong = []

@@ -6,7 +6,7 @@
 #include "hydro/Errors.h"
 #include "hydro/files/MeshIO.h"
 #include "hydro/geometry/shapes/Shapes.h"
-#include "tests/geometry/MeshFiles.h"
+#include "tests/files/MeshFiles.h"
 
 // Assimp 5.2.5 itself leaks when it gives up on some damaged files (DamageIsSurvived); ours would
 // still show.

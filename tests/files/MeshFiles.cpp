@@ -1,4 +1,4 @@
-#include "tests/geometry/MeshFiles.h"
+#include "tests/files/MeshFiles.h"
 
 #include <fmt/format.h>
 #include <stdlib.h>

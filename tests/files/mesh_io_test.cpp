@@ -7,7 +7,7 @@
 #include "hydro/files/MeshIO.h"
 #include "hydro/geometry/MeshIntegrals.h"
 #include "hydro/geometry/shapes/Shapes.h"
-#include "tests/geometry/MeshFiles.h"
+#include "tests/files/MeshFiles.h"
 
 namespace cutwater {
 namespace {
