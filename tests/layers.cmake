@@ -30,7 +30,7 @@ set(libraries
   "unsupported/Eigen/.+"                ".*"
   "assimp/.+"                           "hydro/geometry/MeshIO[^/]*"
   "(hdf5|H5.+)\\.h"                     "(hydro|tests)/database/.+"
-  "(lapacke|cblas|omp)\\.h"             "(hydro/bem|tests/bench)/.+"
+  "(lapacke|cblas)\\.h"             "(hydro/bem|tests/bench)/.+"
   "(bt[A-Z]|Bullet[A-Z]|LinearMath/).+" "(plugin|demos|tests/(plugin|verification|consumer|bench|demos))/.+"
   "(CLI/CLI\\.hpp|toml\\+\\+/toml\\.h)" "(demos|tests)/.+"
   "fmt/.+\\.h"                          "((hydro|plugin)/.+\\.cpp|(demos|tests)/.+)"

@@ -52,7 +52,7 @@ void speed(CLI::App* sub, Arguments& a) {
   sub->add_option("--form", a.waves.moving.formName,
                   "forward-speed terms; default: the database's own (SHIP.toml forward_speed)")
       ->check(CLI::IsMember(
-          std::vector<std::string>(kForwardSpeedWords.begin(), kForwardSpeedWords.end())));
+          std::vector<std::string>(kForwardSpeedNames.begin(), kForwardSpeedNames.end())));
 }
 
 void wave(CLI::App* sub, Arguments& a) {
@@ -74,7 +74,7 @@ void addPanel(CLI::App& app, Arguments& a) {
   CLI::App* sub =
       command(app, "panel", "Any hull mesh, repaired and divided into about N wet panels a side",
               "panel hull.obj -n 433 --up y --forward z -o panels.obj");
-  const auto axes = CLI::IsMember(command::kAxisWords);
+  const auto axes = CLI::IsMember(command::kAxisNames);
   sub->add_option("hull", a.input, "mesh, or SHIP.toml for its [hull] section")->required();
   sub->add_option("-n,--panels", a.panels, "panels a side")
       ->required()
@@ -83,10 +83,10 @@ void addPanel(CLI::App& app, Arguments& a) {
   sub->add_option("--up", a.mesh.up, "the mesh's axis that points up; default z")->check(axes);
   sub->add_option("--forward", a.mesh.forward, "its axis to the bow; default x")->check(axes);
   sub->add_option("--unit", a.mesh.unit, "its unit: m (default), mm, cm, ft or in")
-      ->check(CLI::IsMember(command::kUnitWords));
+      ->check(CLI::IsMember(command::kUnitNames));
   sub->add_option("--waterline", a.mesh.waterline, "height of calm water in it; default 0");
   sub->add_option("--symmetric", a.mesh.symmetric, "auto (default), none or half")
-      ->check(CLI::IsMember(command::kSymmetryWords));
+      ->check(CLI::IsMember(command::kSymmetryNames));
   sub->callback([&a] {
     checkFiles(a);
     command::panel(a.input, a.panels, a.mesh, a.out);

@@ -60,12 +60,12 @@ std::vector<Means> fourMeans(const Job& job) {
   for (const Influence influence : {Influence::Direct, Influence::Matrix, Influence::Inverse}) {
     settings.influence = influence;
     const CpuTime cpu;
-    means.push_back({wordOf(kInfluenceWords, influence), bare, 0.0});
+    means.push_back({nameOf(kInfluenceNames, influence), bare, 0.0});
     means.back().database.diffractionTable =
         solveDiffractionTable({matrices, normals, stokes, ship}, settings, settings.omega, threads);
     means.back().cpu = cpu.seconds();
   }
-  means.push_back({wordOf(kInfluenceWords, Influence::Adjoint), adjoint, adjointTime});
+  means.push_back({nameOf(kInfluenceNames, Influence::Adjoint), adjoint, adjointTime});
   return means;
 }
 

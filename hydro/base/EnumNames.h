@@ -6,22 +6,25 @@
 
 namespace cutwater {
 
-/// The words by which files and commands call the enumerators of an enum, in their order: the one
-/// place where each is written.
+/// Names of the enumerators of an enum in files and commands, in the order of the enumerators. Each name
+/// is written here only.
+///     inline constexpr EnumNames<2> kColourNames{"red", "green"};
+///     nameOf(kColourNames, Colour::Green);         // "green"
+///     fromName<Colour>(kColourNames, "red");       // Colour::Red
 template <std::size_t count>
-using Words = std::array<const char*, count>;
+using EnumNames = std::array<const char*, count>;
 
-/// The word of an enumerator.
+/// Name of an enumerator.
 template <std::size_t count, class Enum>
-constexpr const char* wordOf(const Words<count>& words, Enum value) {
-  return words[static_cast<std::size_t>(value)];
+constexpr const char* nameOf(const EnumNames<count>& names, Enum value) {
+  return names[static_cast<std::size_t>(value)];
 }
 
-/// The enumerator of a word; absent if it is none of them.
+/// Enumerator with this name; absent if there is none.
 template <class Enum, std::size_t count>
-std::optional<Enum> fromWord(const Words<count>& words, const std::string& word) {
+std::optional<Enum> fromName(const EnumNames<count>& names, const std::string& name) {
   for (std::size_t i = 0; i < count; ++i)
-    if (word == words[i]) return static_cast<Enum>(i);
+    if (name == names[i]) return static_cast<Enum>(i);
   return {};
 }
 

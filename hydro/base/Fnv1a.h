@@ -5,8 +5,8 @@
 
 namespace cutwater {
 
-/// 64-bit FNV-1a, taken up byte by byte. Not installed.
-class Fnv {
+/// 64-bit hash of bytes, FNV-1a [Fowler, Noll, Vo]. Add all pieces, then ask for the value.
+class Fnv1a {
  public:
   void add(const void* bytes, std::size_t n) noexcept {
     const auto* byte = static_cast<const unsigned char*>(bytes);

@@ -1,26 +1,43 @@
 #pragma once
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 namespace cutwater {
 
-/// work(0) … work(count − 1), shared out among threads, the caller's among them; the first exception
-/// stops what has not begun and comes out of here. For work that begins now and then: threads are made
-/// and ended within. bem's, which needs OpenMP's threads, is bem/Parallel.h.
-/// @param threads  0: as many as the machine has.
+/// How many threads parallelFor uses at most: `asked`, or as many as the machine has if 0 or less.
+inline std::size_t workersFor(int asked) {
+  const unsigned all =
+      asked > 0 ? static_cast<unsigned>(asked) : std::thread::hardware_concurrency();
+  return std::max(1u, all);
+}
+
+/// Does work(0) … work(count − 1), shared among threads, the caller's among them; each takes the next one
+/// that nobody has begun.
+///     parallelFor(ships.size(), 0, [&](std::size_t i) { evaluate(ships[i]); });
+/// work(i, worker) is called instead where it can be: worker < workersFor(threads) is the number of the
+/// thread, the place of its own workspace.
+/// The first exception stops what has not begun and is thrown to the caller when all threads have ended.
+/// Threads are made and ended within, some 20 µs each: for work of milliseconds or more.
+/// @param threads  as of workersFor.
 template <class Work>
-void shareOut(std::size_t count, unsigned threads, const Work& work) {
+void parallelFor(std::size_t count, int threads, const Work& work) {
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
   std::mutex mutex;
-  const auto run = [&] {
-    for (std::size_t i; (i = next++) < count;) {
+  const auto run = [&](std::size_t worker) {
+    for (std::size_t i = next++; i < count; i = next++) {
       try {
-        work(i);
+        if constexpr (std::is_invocable_v<const Work&, std::size_t, std::size_t>)
+          work(i, worker);
+        else
+          work(i);
       } catch (...) {
         const std::lock_guard lock(mutex);
         if (!failure) failure = std::current_exception();
@@ -28,11 +45,15 @@ void shareOut(std::size_t count, unsigned threads, const Work& work) {
       }
     }
   };
-  const std::size_t all = threads > 0 ? threads : std::thread::hardware_concurrency();
-  std::vector<std::thread> pool;
-  for (std::size_t t = 1; t < std::min(all, count); ++t) pool.emplace_back(run);
-  run();
-  for (std::thread& thread : pool) thread.join();
+  std::vector<std::thread> others;
+  try {
+    for (std::size_t t = 1; t < std::min(workersFor(threads), count); ++t)
+      others.emplace_back(run, t);
+  } catch (const std::system_error&) {
+    // No more threads to be had: those there are do the work.
+  }
+  run(0);
+  for (std::thread& thread : others) thread.join();
   if (failure) std::rethrow_exception(failure);
 }
 

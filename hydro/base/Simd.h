@@ -18,6 +18,6 @@ namespace cutwater {
 
 /// Four numbers in one register where the machine has AVX, in two where not. Structs of them that go
 /// through memory from one function to another say alignas(32): without AVX the compiler takes 16.
-using Four = double __attribute__((vector_size(32)));
+using Double4 = double __attribute__((vector_size(32)));
 
 }  // namespace cutwater

@@ -1,13 +1,11 @@
 #include "hydro/bem/BuildCoefficients.h"
 
-#include <omp.h>
-
 #include <cmath>
 #include <mutex>
 #include <optional>
 
 #include "hydro/Errors.h"
-#include "hydro/bem/Parallel.h"
+#include "hydro/base/ParallelFor.h"
 #include "hydro/bem/SweepRecord.h"
 #include "hydro/bem/reference/DiffractionSweep.h"
 #include "hydro/bem/settings/CheckSettings.h"
@@ -32,14 +30,14 @@ ShipParticulars solvable(const ShipParticulars& ship) {
 std::string describe(const SolveSettings& settings, std::size_t lidPanels) {
   const auto word = [](bool b) { return b ? "true" : "false"; };
   const auto points = [](int n) { return n == 0 ? std::string("\"auto\"") : std::to_string(n); };
-  return std::string("formulation = \"") + wordOf(kFormulationWords, settings.formulation) +
-         "\"\nderivatives = \"" + wordOf(kDerivativesWords, settings.derivatives) +
+  return std::string("formulation = \"") + nameOf(kFormulationNames, settings.formulation) +
+         "\"\nderivatives = \"" + nameOf(kDerivativesNames, settings.derivatives) +
          "\"\nsource_points = " + points(settings.sourcePoints) +
          "\ngalerkin_points = " + points(settings.galerkinPoints) +
          "\ncurved_panels = " + word(settings.curvedPanels) + "\nlid = " + word(settings.lid) +
          "\nlid_panels = " + std::to_string(lidPanels) +
          "\nx_derivatives = " + word(settings.xDerivatives) + "\ninfluence = \"" +
-         wordOf(kInfluenceWords, settings.influence) + "\"\n";
+         nameOf(kInfluenceNames, settings.influence) + "\"\n";
 }
 
 /// Highest frequency whose waves the panels at calm water resolve: K ℓ = π, half a wave, ℓ the longest
@@ -72,7 +70,7 @@ std::vector<double> regularFrequencies(const Coefficients& c) {
 /// only its own places, so threads need no lock.
 class Sweep {
  public:
-  using Room = SymmetricSystem<Complex>::Room;
+  using Workspace = SymmetricSystem<Complex>::Workspace;
 
   Sweep(Coefficients& out, const SolveSettings& settings, int threads)
       : out_(out),
@@ -89,9 +87,9 @@ class Sweep {
       out_.dampingX.resize(count);
     }
     if (settings.influence == Influence::Adjoint) {
-      const ModeVectors room = ModeVectors::Zero(6, normals_.n.rows());
-      out_.adjoint.assign(count, room);
-      if (settings.xDerivatives) out_.adjointX.assign(count, room);
+      const ModeVectors zero = ModeVectors::Zero(6, normals_.n.rows());
+      out_.adjoint.assign(count, zero);
+      if (settings.xDerivatives) out_.adjointX.assign(count, zero);
     }
     out_.froudeKrylov.assign(out_.headings.size(), std::vector<CVec6>(count));
     out_.diffraction = out_.froudeKrylov;
@@ -120,12 +118,12 @@ class Sweep {
     }
   }
 
-  /// @param room  reused from one frequency to the next of a thread.
-  void solve(std::size_t i, Room& room) {
+  /// @param workspace  reused from one frequency to the next of a thread.
+  void solve(std::size_t i, Workspace& workspace) {
     const double omega = out_.omega[i], K = omega * omega / out_.ship.gravity;
     SymmetricSystem<Complex> system(
-        matrices_.atWaveNumber(K, IdleLid::Drop, std::move(room.systems)), matrices_.parities(),
-        std::move(room.factors));
+        matrices_.atWaveNumber(K, IdleLid::Drop, std::move(workspace.systems)),
+        matrices_.parities(), std::move(workspace.factors));
     const AdjointVectors b = adjointsOf(system);
     radiate(b, i);
     diffract(b, i);
@@ -135,7 +133,7 @@ class Sweep {
     }
     out_.conditionEven[i] = system.condition(Parity::Even);
     if (matrices_.parities() == 2) out_.conditionOdd[i] = system.condition(Parity::Odd);
-    room = std::move(system).release();
+    workspace = std::move(system).release();
   }
 
   void tableDiffraction(int threads) {
@@ -206,10 +204,10 @@ void solveFrequencies(Sweep& sweep, Coefficients& out, const SolveSettings& sett
   int done = total - static_cast<int>(left.size());
   if (progress) progress(done, total);
   std::mutex guard;  // of `done`, of progress and of the journal
-  std::vector<Sweep::Room> rooms(static_cast<std::size_t>(threads));
-  parallelFor(static_cast<int>(left.size()), threads, [&](int k) {
-    const std::size_t i = left[static_cast<std::size_t>(k)];
-    sweep.solve(i, rooms[static_cast<std::size_t>(omp_get_thread_num())]);
+  std::vector<Sweep::Workspace> workspaces(workersFor(threads));
+  parallelFor(left.size(), threads, [&](std::size_t k, std::size_t worker) {
+    const std::size_t i = left[k];
+    sweep.solve(i, workspaces[worker]);
     const std::lock_guard lock(guard);
     if (journal) journal->append(i, packed(out, i));
     ++done;
@@ -235,7 +233,7 @@ Coefficients buildCoefficients(const ShipParticulars& ship, const SolveSettings&
   out.provenance.meshHash = hashOf(out.ship.wetSurface);
 
   const OneBlasThread oneBlasThread;
-  const int threads = settings.threads > 0 ? settings.threads : omp_get_num_procs();
+  const int threads = settings.threads;
   Sweep sweep(out, settings, threads);
   sweep.solveLimits();
   solveFrequencies(sweep, out, settings, threads, progress, journal);

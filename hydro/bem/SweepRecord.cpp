@@ -7,7 +7,7 @@
 namespace cutwater {
 namespace {
 
-void add(const SurfaceMesh& mesh, Fnv& hash) {
+void add(const SurfaceMesh& mesh, Fnv1a& hash) {
   for (const Vec3& vertex : mesh.vertices) hash.add(vertex.data(), 3 * sizeof(double));
   for (const Face& face : mesh.faces) hash.add(face.v.data(), sizeof(face.v));
 }
@@ -30,13 +30,13 @@ void visitFrequency(Coefficients& c, std::size_t i, const auto& visit) {
 }  // namespace
 
 std::string hashOf(const SurfaceMesh& mesh) {
-  Fnv hash;
+  Fnv1a hash;
   add(mesh, hash);
   return hash.digits();
 }
 
 std::uint64_t journalKey(const Coefficients& c, const SolveSettings& settings) {
-  Fnv hash;
+  Fnv1a hash;
   const auto numbers = [&hash](const double* data, std::size_t count) {
     hash.add(data, count * sizeof(double));
   };

@@ -49,7 +49,7 @@ enum class ForwardSpeedForm {
   Tuck     ///< Tuck's theorem without its line integral: Z(U) = S Z⁰ Sᴴ
 };
 /// What files and commands call them.
-inline constexpr Words<2> kForwardSpeedWords{"report", "tuck"};
+inline constexpr EnumNames<2> kForwardSpeedNames{"report", "tuck"};
 
 /// F_D [N/m, N·m/m] on a grid of conditions, form of `Coefficients::forwardSpeed`.
 struct DiffractionTable {

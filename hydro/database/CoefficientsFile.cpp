@@ -29,7 +29,7 @@ constexpr std::streamoff kSealLength = 8 + 16;
 
 /// FNV-1a of the first `length` bytes.
 std::string hashOfBytes(std::ifstream& file, std::streamoff length) {
-  Fnv hash;
+  Fnv1a hash;
   std::vector<char> block(1 << 16);
   file.seekg(0);
   while (length > 0) {

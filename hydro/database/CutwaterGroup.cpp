@@ -118,7 +118,7 @@ class GroupWriter {
     writer_.text("cutwater/" + name, value);
   }
   void operator()(const std::string& name, const ForwardSpeedForm& value) {
-    (*this)(name, std::string(wordOf(kForwardSpeedWords, value)));
+    (*this)(name, std::string(nameOf(kForwardSpeedNames, value)));
   }
 
  private:
@@ -157,7 +157,7 @@ class GroupReader {
   }
   void operator()(const std::string& name, ForwardSpeedForm& value) {
     const std::string word = reader_.text("cutwater/" + name);
-    const auto form = fromWord<ForwardSpeedForm>(kForwardSpeedWords, word);
+    const auto form = fromName<ForwardSpeedForm>(kForwardSpeedNames, word);
     if (!form) {
       throw HydroError(Fault::FileMalformed,
                        fmt::format("{}: cutwater/{} = \"{}\"", reader_.path(), name, word));

@@ -37,7 +37,7 @@ herr_t collect(hid_t, const char* name, const H5L_info_t*, void* names) {
 }
 
 /// Adds one object; groups count by their names alone.
-bool addObject(hid_t file, const std::string& name, Fnv& hash) {
+bool addObject(hid_t file, const std::string& name, Fnv1a& hash) {
   hash.add(name.c_str(), name.size() + 1);
   const Handle object(H5Oopen(file, name.c_str(), H5P_DEFAULT), H5Oclose);
   if (!object.valid()) return false;
@@ -65,7 +65,7 @@ bool addObject(hid_t file, const std::string& name, Fnv& hash) {
 std::string contentHash(hid_t file) {
   std::vector<std::string> names;
   if (H5Lvisit(file, H5_INDEX_NAME, H5_ITER_INC, collect, &names) < 0) return {};
-  Fnv hash;
+  Fnv1a hash;
   for (const std::string& name : names) {
     if (!addObject(file, name, hash)) return {};
   }

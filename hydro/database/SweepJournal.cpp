@@ -19,7 +19,7 @@ struct Header {
 };
 
 std::uint64_t checksum(std::uint64_t index, std::span<const double> numbers) {
-  Fnv hash;
+  Fnv1a hash;
   hash.add(&index, sizeof index);
   hash.add(numbers.data(), numbers.size_bytes());
   return hash.value();

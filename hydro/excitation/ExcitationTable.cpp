@@ -206,7 +206,7 @@ void ExcitationTable::makeRows(const Coefficients& c) {
       put(force.diffraction, at + 12);
     }
   };
-  shareOut(rows_.size(), 0, [&](std::size_t i) { fillRow(i, fill); });
+  parallelFor(rows_.size(), 0, [&](std::size_t i) { fillRow(i, fill); });
 }
 
 template <class Fill>

@@ -20,18 +20,18 @@ std::array<double, 4> evenCubic(double x) noexcept {
 CUTWATER_VECTOR void addRow(double* sum, const double* row, double weight,
                             std::size_t count) noexcept {
   for (std::size_t i = 0; i < count; i += 4) {
-    const Four v = loadFour(sum + i) + weight * loadFour(row + i);
-    storeFour(sum + i, v);
+    const Double4 v = load4(sum + i) + weight * load4(row + i);
+    store4(sum + i, v);
   }
 }
 
 /// Σ b q of complex numbers given as runs of Re and Im, `count` of each, a multiple of four.
 CUTWATER_VECTOR void complexDot(const double* b, const double* q, std::size_t count, double* re,
                                 double* im) noexcept {
-  Four real = {}, imaginary = {};
+  Double4 real = {}, imaginary = {};
   for (std::size_t i = 0; i < count; i += 4) {
-    const Four x = loadFour(b + i), y = loadFour(b + count + i);
-    const Four u = loadFour(q + i), v = loadFour(q + count + i);
+    const Double4 x = load4(b + i), y = load4(b + count + i);
+    const Double4 u = load4(q + i), v = load4(q + count + i);
     real += x * u - y * v;
     imaginary += x * v + y * u;
   }

@@ -19,17 +19,17 @@ constexpr double kInPlane = 1e-10;
 // The edges of a panel, one a lane. Coordinates s1 < s2 of their ends along the edge relative to the
 // foot of x, distances r1, r2 of the ends from x, distance d of the foot from the edge's line.
 struct Edges {
-  Four s1, s2, r1, r2, d;
+  Double4 s1, s2, r1, r2, d;
 };
 
 // ∫ dl/r along each edge, h² = the squared distance of x from its line. Each branch adds numbers of one
 // sign, so nothing cancels near the edge or its extension.
-CUTWATER_INLINE Four edgeIntegrals(const Edges& e, Four h2) {
+CUTWATER_INLINE Double4 edgeIntegrals(const Edges& e, Double4 h2) {
   const auto ahead = e.s1 >= 0.0, behind = e.s2 <= 0.0;
-  const Four above = ahead ? e.r2 + e.s2 : behind ? e.r1 - e.s1 : (e.r2 + e.s2) * (e.r1 - e.s1);
-  const Four below = ahead ? e.r1 + e.s1 : behind ? e.r2 - e.s2 : h2;
+  const Double4 above = ahead ? e.r2 + e.s2 : behind ? e.r1 - e.s1 : (e.r2 + e.s2) * (e.r1 - e.s1);
+  const Double4 below = ahead ? e.r1 + e.s1 : behind ? e.r2 - e.s2 : h2;
   // A ratio of 1e26 makes L = 60; only points on the edge get there.
-  const Four least = 1e-26 * above;
+  const Double4 least = 1e-26 * above;
   return logarithm(above / (below > least ? below : least));
 }
 
@@ -40,15 +40,16 @@ std::complex<double> product(std::complex<double> a, std::complex<double> b) {
 
 // The product over all edges of (q2 + i d s2)(q1 − i d s1), q = h² + |z| r, whose argument is the solid
 // angle [Wilton84]. Every q is positive, so it is smooth wherever the foot of x lies.
-CUTWATER_INLINE std::complex<double> turn(const Edges& e, Four h2, double height, double scale,
-                                          FourBits isEdge) {
-  const Four q1 = scale * (h2 + height * e.r1), q2 = scale * (h2 + height * e.r2);
-  const Four i1 = scale * e.d * e.s1, i2 = scale * e.d * e.s2, zero = {};
-  const Four re = isEdge ? q1 * q2 + i1 * i2 : zero + 1.0, im = isEdge ? i2 * q1 - q2 * i1 : zero;
+CUTWATER_INLINE std::complex<double> turn(const Edges& e, Double4 h2, double height, double scale,
+                                          Bits4 isEdge) {
+  const Double4 q1 = scale * (h2 + height * e.r1), q2 = scale * (h2 + height * e.r2);
+  const Double4 i1 = scale * e.d * e.s1, i2 = scale * e.d * e.s2, zero = {};
+  const Double4 re = isEdge ? q1 * q2 + i1 * i2 : zero + 1.0,
+                im = isEdge ? i2 * q1 - q2 * i1 : zero;
   return product(product({re[0], im[0]}, {re[1], im[1]}), product({re[2], im[2]}, {re[3], im[3]}));
 }
 
-CUTWATER_INLINE double sum(Four x) { return (x[0] + x[1]) + (x[2] + x[3]); }
+CUTWATER_INLINE double sum(Double4 x) { return (x[0] + x[1]) + (x[2] + x[3]); }
 
 // The angle 0 ≤ |S| < 2π of the product over all edges: one arctangent for the panel. Off the plane
 // 2π − |S| exceeds kInPlane, so a negative angle smaller than that is the round-off of 0.
@@ -187,18 +188,18 @@ CUTWATER_VECTOR RankineIntegrals RankinePanel::exactAt(const Vec3& x) const noex
   const bool inPlane = std::abs(z) <= kInPlane * radius_;
   if (inPlane) z = 0.0;
 
-  const Four au = loadFour(cornerU_.data()) - xu, av = loadFour(cornerV_.data()) - xv;
-  const Four tangentU = loadFour(tangentU_.data()), tangentV = loadFour(tangentV_.data()),
-             length = loadFour(length_.data());
+  const Double4 au = load4(cornerU_.data()) - xu, av = load4(cornerV_.data()) - xv;
+  const Double4 tangentU = load4(tangentU_.data()), tangentV = load4(tangentV_.data()),
+                length = load4(length_.data());
   Edges e;
   e.r1 = squareRoot(au * au + av * av + z * z);
-  e.r2 = Four{e.r1[1], e.r1[2], e.r1[3], e.r1[0]};
+  e.r2 = Double4{e.r1[1], e.r1[2], e.r1[3], e.r1[0]};
   e.s1 = tangentU * au + tangentV * av;
   e.s2 = e.s1 + length;
   e.d = tangentV * au - tangentU * av;
-  const Four h2 = e.d * e.d + z * z;
+  const Double4 h2 = e.d * e.d + z * z;
   const auto isEdge = length > 0.0;
-  const Four integral = isEdge ? edgeIntegrals(e, h2) : length;
+  const Double4 integral = isEdge ? edgeIntegrals(e, h2) : length;
   double solidAngle = 0.0;
   if (!inPlane) solidAngle = std::copysign(fullAngle(turn(e, h2, std::abs(z), scale_, isEdge)), z);
   return {sum(e.d * integral) - z * solidAngle,
@@ -209,9 +210,9 @@ CUTWATER_VECTOR RankineIntegrals RankinePanel::exactAt(const Vec3& x) const noex
 namespace {
 
 CUTWATER_INLINE double inverseRoot(double square) { return 1.0 / std::sqrt(square); }
-CUTWATER_INLINE Four inverseRoot(Four square) {
-  return 1.0 / Four{std::sqrt(square[0]), std::sqrt(square[1]), std::sqrt(square[2]),
-                    std::sqrt(square[3])};
+CUTWATER_INLINE Double4 inverseRoot(Double4 square) {
+  return 1.0 / Double4{std::sqrt(square[0]), std::sqrt(square[1]), std::sqrt(square[2]),
+                       std::sqrt(square[3])};
 }
 
 }  // namespace
@@ -255,9 +256,8 @@ RankineIntegrals RankinePanel::farAt(const Vec3& x) const noexcept {
   return {at.potential, {at.gradientX, at.gradientY, at.gradientZ}, at.doubleLayer};
 }
 
-CUTWATER_VECTOR RankinePanel::FourIntegrals RankinePanel::farAt(
-    const FourPoints& points) const noexcept {
-  const FarSample<Four> at =
+CUTWATER_VECTOR RankinePanel::Integrals4 RankinePanel::farAt(const Points4& points) const noexcept {
+  const FarSample<Double4> at =
       farSample(points.x - centroid_.x(), points.y - centroid_.y(), points.z - centroid_.z());
   return {at.potential, at.gradientX, at.gradientY, at.gradientZ, at.doubleLayer};
 }

@@ -51,13 +51,13 @@ class RankinePanel {
   RankineIntegrals farAt(const Vec3& x) const noexcept;
 
   /// The far form at four points.
-  struct alignas(32) FourPoints {
-    Four x, y, z;
+  struct alignas(32) Points4 {
+    Double4 x, y, z;
   };
-  struct alignas(32) FourIntegrals {
-    Four potential, gradientX, gradientY, gradientZ, doubleLayer;
+  struct alignas(32) Integrals4 {
+    Double4 potential, gradientX, gradientY, gradientZ, doubleLayer;
   };
-  FourIntegrals farAt(const FourPoints& points) const noexcept;
+  Integrals4 farAt(const Points4& points) const noexcept;
 
   /// ∫ ln ρ dS [m²], ρ [m] the distance on the panel from the foot of x: the logarithm that the
   /// wave term has where both points are on the free surface (see WaveTerm.h). Exact, anywhere.

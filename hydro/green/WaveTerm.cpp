@@ -15,11 +15,11 @@ using namespace wave_tables;
 constexpr double kPi = std::numbers::pi;
 
 /// J₀, J₁, Y₀, Y₁ from the table, X < kBesselCells.
-CUTWATER_INLINE Four besselFromTable(const BesselCell* cells, double X) {
+CUTWATER_INLINE Double4 besselFromTable(const BesselCell* cells, double X) {
   const auto i = static_cast<std::size_t>(X);
   const double t = 2.0 * (X - static_cast<double>(i)) - 1.0;
   const auto& c = cells[i].coefficient;
-  Four even = c[kBesselPoints - 2], odd = c[kBesselPoints - 1];
+  Double4 even = c[kBesselPoints - 2], odd = c[kBesselPoints - 1];
   for (std::size_t p = kBesselPoints - 2; p > 0; p -= 2) {
     even = even * (t * t) + c[p - 2];
     odd = odd * (t * t) + c[p - 1];
@@ -42,24 +42,24 @@ constexpr std::array<double, kHankelTerms> hankel(int order) {
 }
 
 struct Bessels {
-  Four J0, J1, Y0, Y1;
+  Double4 J0, J1, Y0, Y1;
 };
 
 // J_n = √(2/πX) (P cos χ − Q sin χ), Y_n = √(2/πX) (P sin χ + Q cos χ), χ = X − nπ/2 − π/4.
 // From X = 36 on the first term left out is 3e-15 of the leading one.
-CUTWATER_INLINE Bessels besselsByHankel(Four X) {
+CUTWATER_INLINE Bessels besselsByHankel(Double4 X) {
   static constexpr auto a0 = hankel(0), a1 = hankel(1);
-  const Four t = 1.0 / X, tt = t * t, zero = {};
-  Four p0 = zero, q0 = zero, p1 = zero, q1 = zero;
+  const Double4 t = 1.0 / X, tt = t * t, zero = {};
+  Double4 p0 = zero, q0 = zero, p1 = zero, q1 = zero;
   for (std::size_t k = kHankelTerms; k > 0; k -= 2) {
     p0 = p0 * tt + a0[k - 2];
     q0 = q0 * tt + a0[k - 1];
     p1 = p1 * tt + a1[k - 2];
     q1 = q1 * tt + a1[k - 1];
   }
-  const Four amplitude = squareRoot(t / kPi);  // √(2/πX)/√2
+  const Double4 amplitude = squareRoot(t / kPi);  // √(2/πX)/√2
   const auto [sine, cosine] = sineCosine(X);
-  const Four c = amplitude * (cosine + sine), s = amplitude * (sine - cosine);
+  const Double4 c = amplitude * (cosine + sine), s = amplitude * (sine - cosine);
   q0 *= t;
   q1 *= t;
   return {p0 * c - q0 * s, p1 * s + q1 * c, p0 * s + q0 * c, q1 * s - p1 * c};
@@ -83,10 +83,7 @@ constexpr double kSilent = 32.0;
 /// for each other. Filled up to a multiple of four.
 struct Points {
   static constexpr std::size_t kMost = 64;
-  struct alignas(32) Column : std::array<double, kMost> {
-    CUTWATER_INLINE Four four(std::size_t i) const { return loadFour(data() + i); }
-    CUTWATER_INLINE void put(std::size_t i, Four x) { storeFour(data() + i, x); }
-  };
+  using Column = Column4<kMost>;
   std::size_t given, count;     // as many as there are, and filled up
   Column X, Y, R, perR, alpha;  // alpha = Y/R
   Column a, b;                  // place in the patch
@@ -98,13 +95,13 @@ struct Points {
   CUTWATER_INLINE void take(const double* fromX, const double* fromY, std::size_t points) {
     given = points;
     for (count = 0; count < given; count += 4) {
-      const Four x = some(fromX, count), y = some(fromY, count);
-      const Four r = squareRoot(x * x + y * y), inverse = 1.0 / r;
-      X.put(count, x);
-      Y.put(count, y);
-      R.put(count, r);
-      perR.put(count, inverse);
-      alpha.put(count, y * inverse);
+      const Double4 x = some(fromX, count), y = some(fromY, count);
+      const Double4 r = squareRoot(x * x + y * y), inverse = 1.0 / r;
+      X.store(count, x);
+      Y.store(count, y);
+      R.store(count, r);
+      perR.store(count, inverse);
+      alpha.store(count, y * inverse);
     }
   }
 
@@ -140,18 +137,18 @@ struct Points {
   CUTWATER_INLINE void bessels(const Tables& tables) {
     constexpr double kLast = kBesselCells;
     for (std::size_t i = 0; i < count; i += 4) {
-      const Four x = X.four(i);
+      const Double4 x = X.load(i);
       const auto isFar = x >= kLast;
       if (any(isFar)) {
         const Bessels f = besselsByHankel(isFar ? x : x * 0.0 + kLast);
-        J0.put(i, f.J0);
-        J1.put(i, f.J1);
-        Y0.put(i, f.Y0);
-        Y1.put(i, f.Y1);
+        J0.store(i, f.J0);
+        J1.store(i, f.J1);
+        Y0.store(i, f.Y0);
+        Y1.store(i, f.Y1);
       }
       for (std::size_t k = i; k < i + 4; ++k) {
         if (X[k] >= kLast) continue;
-        const Four f = besselFromTable(tables.bessel.data(), X[k]);
+        const Double4 f = besselFromTable(tables.bessel.data(), X[k]);
         J0[k] = f[0];
         J1[k] = f[1];
         Y0[k] = f[2];
@@ -165,17 +162,17 @@ struct Points {
   // far:  F = −2π e^{−Y} Y₀ − 2S/R,  ∂F/∂X = 2π e^{−Y} Y₁ + 2XT/R³
   CUTWATER_INLINE void finish(const WaveTermArrays& terms) {
     for (std::size_t i = 0; i < count; i += 4) {
-      const Four x = X.four(i), y = Y.four(i), r = R.four(i), inverse = perR.four(i);
+      const Double4 x = X.load(i), y = Y.load(i), r = R.load(i), inverse = perR.load(i);
       const auto silent = (y >= kSilent) & (r > 36.0);
-      const Four E = silent ? y * 0.0 : exponential(silent ? y * 0.0 : -y);
-      const Four j0 = E * J0.four(i), j1 = E * J1.four(i), y0 = E * Y0.four(i), y1 = E * Y1.four(i),
-                 s = S.four(i), t = T.four(i);
-      Four f = -2.0 * s * inverse - 2.0 * kPi * y0;
-      Four fX = 2.0 * x * t * inverse * inverse * inverse + 2.0 * kPi * y1;
-      FourBits near;
+      const Double4 E = silent ? y * 0.0 : exponential(silent ? y * 0.0 : -y);
+      const Double4 j0 = E * J0.load(i), j1 = E * J1.load(i), y0 = E * Y0.load(i),
+                    y1 = E * Y1.load(i), s = S.load(i), t = T.load(i);
+      Double4 f = -2.0 * s * inverse - 2.0 * kPi * y0;
+      Double4 fX = 2.0 * x * t * inverse * inverse * inverse + 2.0 * kPi * y1;
+      Bits4 near;
       __builtin_memcpy(&near, &isNear[i], sizeof(near));
       if (any(near)) {
-        const Four sum = r + y, L = 2.0 * logarithm(0.5 * sum);
+        const Double4 sum = r + y, L = 2.0 * logarithm(0.5 * sum);
         f = near ? s - j0 * L : f;
         fX = near ? j1 * L + x * inverse * (t - 2.0 * j0 / sum) : fX;
       }
@@ -190,14 +187,14 @@ struct Points {
 
  private:
   /// Four numbers from i on, 1 for those that are not there.
-  CUTWATER_INLINE Four some(const double* from, std::size_t i) const {
-    if (i + 4 <= given) return loadFour(from + i);
-    Four x = Four{} + 1.0;
+  CUTWATER_INLINE Double4 some(const double* from, std::size_t i) const {
+    if (i + 4 <= given) return load4(from + i);
+    Double4 x = Double4{} + 1.0;
     for (std::size_t k = i; k < given; ++k) x[k - i] = from[k];
     return x;
   }
-  CUTWATER_INLINE void give(Four x, double* to, std::size_t i) const {
-    if (i + 4 <= given) return storeFour(to + i, x);
+  CUTWATER_INLINE void give(Double4 x, double* to, std::size_t i) const {
+    if (i + 4 <= given) return store4(to + i, x);
     for (std::size_t k = i; k < given; ++k) to[k] = x[k - i];
   }
   CUTWATER_INLINE void put(std::size_t i, bool near, const Patch& in, const Place& row,

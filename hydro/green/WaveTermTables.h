@@ -16,25 +16,25 @@ inline constexpr std::size_t kBesselPoints = 12;  ///< points of a Bessel cell
 
 /// Two functions of two variables in one cell.
 struct alignas(64) Patch {
-  static constexpr std::size_t kFours = kPoints / 2;  ///< of a row
+  static constexpr std::size_t kBlocks = kPoints / 2;  ///< of a row
   /// [power of a][power of b, two by two]: (b²ⁱ of function 0, of 1, b²ⁱ⁺¹ of 0, of 1)
-  Four coefficient[kPoints][kFours];
+  Double4 coefficient[kPoints][kBlocks];
 
   CUTWATER_INLINE std::array<double, 2> at(double a, double b) const noexcept {
     // Even and odd powers apart: half the steps that wait for each other.
     const double aa = a * a, bb = b * b;
-    Four even[kFours], odd[kFours];
-    for (std::size_t k = 0; k < kFours; ++k) {
+    Double4 even[kBlocks], odd[kBlocks];
+    for (std::size_t k = 0; k < kBlocks; ++k) {
       even[k] = coefficient[kPoints - 2][k];
       odd[k] = coefficient[kPoints - 1][k];
     }
     for (std::size_t i = kPoints - 2; i > 0; i -= 2)
-      for (std::size_t k = 0; k < kFours; ++k) {
+      for (std::size_t k = 0; k < kBlocks; ++k) {
         even[k] = even[k] * aa + coefficient[i - 2][k];
         odd[k] = odd[k] * aa + coefficient[i - 1][k];
       }
-    for (std::size_t k = 0; k < kFours; ++k) even[k] += odd[k] * a;
-    const Four sum =
+    for (std::size_t k = 0; k < kBlocks; ++k) even[k] += odd[k] * a;
+    const Double4 sum =
         (even[0] + even[1] * bb) + (bb * bb) * ((even[2] + even[3] * bb) + even[4] * (bb * bb));
     return {sum[0] + b * sum[2], sum[1] + b * sum[3]};
   }
@@ -42,7 +42,7 @@ struct alignas(64) Patch {
 
 /// J₀, J₁, Y₀, Y₁ in one cell of unit length.
 struct alignas(32) BesselCell {
-  Four coefficient[kBesselPoints];
+  Double4 coefficient[kBesselPoints];
 };
 
 // The quarter plane, in R = √(X²+Y²), α = Y/R, s = 1/R:

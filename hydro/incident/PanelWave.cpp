@@ -26,13 +26,13 @@ PanelWave byPoints(const Panel& panel, const Eigen::Vector3cd& kappa, const Vec3
 /// e^{κ·(x − origin)} at the corners, a triangle's last one twice.
 CUTWATER_VECTOR std::array<Complex, 4> atCorners(const Panel& panel, const Eigen::Vector3cd& kappa,
                                                  const Vec3& origin) {
-  ComplexFour z{};
+  ComplexDouble4 z{};
   for (int i = 0; i < 4; ++i) {
     const Vec3 s = panel.corner[static_cast<std::size_t>(std::min(i, panel.corners - 1))] - origin;
     z.re[i] = kappa.x().real() * s.x() + kappa.y().real() * s.y() + kappa.z().real() * s.z();
     z.im[i] = kappa.x().imag() * s.x() + kappa.y().imag() * s.y() + kappa.z().imag() * s.z();
   }
-  const ComplexFour e = exponential(z);
+  const ComplexDouble4 e = exponential(z);
   std::array<Complex, 4> value;
   for (int i = 0; i < 4; ++i) value[static_cast<std::size_t>(i)] = Complex(e.re[i], e.im[i]);
   return value;

@@ -4,7 +4,7 @@
 #include "hydro/base/SimdMath.h"
 #include "hydro/waves/SeaState.h"
 
-/// Waves of a sea by fours, for sums over all of them; internal to hydro. A block begins with four runs of
+/// Waves of a sea in blocks of four components, for sums over all of them; internal to hydro. A block begins with four runs of
 /// four: ω, ε, k cos β, −k sin β; what else it holds is its owner's.
 namespace cutwater::phase_blocks {
 
@@ -35,9 +35,9 @@ inline std::vector<double> phaseBlocks(const SeaState& sea, std::size_t size) {
 }
 
 /// ω t + ε − k_x x − k_y y of the four of a block.
-CUTWATER_INLINE Four phaseAt(const double* block, double t, double x, double y) noexcept {
-  return loadFour(block) * t + loadFour(block + kLanes) - loadFour(block + 2 * kLanes) * x -
-         loadFour(block + 3 * kLanes) * y;
+CUTWATER_INLINE Double4 phaseAt(const double* block, double t, double x, double y) noexcept {
+  return load4(block) * t + load4(block + kLanes) - load4(block + 2 * kLanes) * x -
+         load4(block + 3 * kLanes) * y;
 }
 
 }  // namespace cutwater::phase_blocks

@@ -12,15 +12,13 @@ namespace {
 constexpr double kError = 2e-16;
 
 CUTWATER_VECTOR void exponentials(double* x, double* result) {
-  storeFour(result, exponential(loadFour(x)));
+  store4(result, exponential(load4(x)));
 }
-CUTWATER_VECTOR void logarithms(double* x, double* result) {
-  storeFour(result, logarithm(loadFour(x)));
-}
+CUTWATER_VECTOR void logarithms(double* x, double* result) { store4(result, logarithm(load4(x))); }
 CUTWATER_VECTOR void sineCosines(double* x, double* sine, double* cosine) {
-  const auto [s, c] = sineCosine(loadFour(x));
-  storeFour(sine, s);
-  storeFour(cosine, c);
+  const auto [s, c] = sineCosine(load4(x));
+  store4(sine, s);
+  store4(cosine, c);
 }
 
 /// Calls check(x, place) for numbers four at a time, evenly between.

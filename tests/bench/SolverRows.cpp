@@ -18,11 +18,11 @@ PanelMesh meshOf(const ShipParticulars& ship, bool lid) {
 /// memory that is there already.
 double luSeconds(int n) {
   const OneBlasThread one;
-  auto room = Factorization<Complex>(Eigen::MatrixXcd::Random(n, n)).release();
+  auto workspace = Factorization<Complex>(Eigen::MatrixXcd::Random(n, n)).release();
   std::unique_ptr<Factorization<Complex>> factors;
   return 2.0 * secondsOf([&] {
-           factors = std::make_unique<Factorization<Complex>>(std::move(room.matrix),
-                                                              std::move(room.factors));
+           factors = std::make_unique<Factorization<Complex>>(std::move(workspace.matrix),
+                                                              std::move(workspace.factors));
          });
 }
 
@@ -112,11 +112,11 @@ void benchParts(std::string& csv, int panels) {
   const double assembly =
       secondsOf([&] { systems = matrices->atWaveNumber(K, IdleLid::Drop, std::move(systems)); });
   put("assembly", assembly, systems[0].L.sum().real());
-  auto room = SymmetricSystem<Complex>(systems, 2).release();
+  auto workspace = SymmetricSystem<Complex>(systems, 2).release();
   std::unique_ptr<SymmetricSystem<Complex>> system;
   const double lu = secondsOf([&] {
-    system =
-        std::make_unique<SymmetricSystem<Complex>>(std::move(systems), 2, std::move(room.factors));
+    system = std::make_unique<SymmetricSystem<Complex>>(std::move(systems), 2,
+                                                        std::move(workspace.factors));
   });
   put("LU", lu, 0.0);
   const ModeNormals normals(mesh, ship.cog);

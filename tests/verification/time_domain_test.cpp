@@ -111,7 +111,7 @@ void expectIdentity(const Coefficients& c, ForwardSpeedForm form, int panels) {
       const double byWeights = worstInBand(c, model, form, knots, band, convolved);
       char where[96];
       std::snprintf(where, sizeof where, "frigate %d a side, %s form, %2.0f kn, %.1f to %.1f rad/s",
-                    panels, kForwardSpeedWords[static_cast<std::size_t>(form)], knots, band.from,
+                    panels, kForwardSpeedNames[static_cast<std::size_t>(form)], knots, band.from,
                     band.to);
       for (const auto& [how, worst] :
            {std::pair{"exponential sum", bySum}, {"convolution", byWeights}}) {
@@ -263,7 +263,7 @@ TEST(TimeDomainIdentity, SumOfExponentialsIsTheConvolutionInAnIrregularSea) {
         recordResult(
             "memory under way",
             "frigate " + std::to_string(panels) + " a side, " +
-                kForwardSpeedWords[static_cast<std::size_t>(form)] + " form, " +
+                kForwardSpeedNames[static_cast<std::size_t>(form)] + " form, " +
                 std::to_string(U).substr(0, 4) +
                 " m/s, irregular sea: force of the exponential sum, worst mode, % of r.m.s. missed",
             "convolution", 100.0 * worst, "<= 0.2");
@@ -329,7 +329,7 @@ TEST(TimeDomainIdentity, TableOfWaveForcesIsDirectEvaluation) {
       const double worst = errorOfTable(c, sea, form);
       recordResult("memory under way",
                    "frigate " + std::to_string(panels) + " a side, " +
-                       kForwardSpeedWords[static_cast<std::size_t>(form)] +
+                       kForwardSpeedNames[static_cast<std::size_t>(form)] +
                        " form: wave forces from the table, any course, 0 to 15.4 m/s, % of the "
                        "mode's largest",
                    "direct evaluation", 100.0 * worst, "<= 1");

@@ -25,7 +25,7 @@ void panel(const std::string& hull, int count, const MeshReadOptions& options,
 void solve(const std::string& ship, const std::string& database, int threads);
 void info(const std::string& database, const std::string& out);
 
-/// Forward speed U [m/s] and the form of its terms: one of kForwardSpeedWords, or "" for the
+/// Forward speed U [m/s] and the form of its terms: one of kForwardSpeedNames, or "" for the
 /// database's own.
 struct SpeedOptions {
   double speed = 0.0;

@@ -32,7 +32,7 @@ double part(const std::string& range, std::size_t from, std::size_t to) {
 }  // namespace
 
 std::optional<ForwardSpeedForm> SpeedOptions::form() const {
-  return fromWord<ForwardSpeedForm>(kForwardSpeedWords, formName);
+  return fromName<ForwardSpeedForm>(kForwardSpeedNames, formName);
 }
 
 std::vector<double> omegaList(const std::string& range, const std::vector<double>& fallback) {

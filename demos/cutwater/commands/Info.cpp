@@ -108,7 +108,7 @@ double solversAsymmetry(const Coefficients& c, const std::string& name,
 
 // What the file holds for forward speed.
 void listSpeed(Csv& csv, const Coefficients& c) {
-  list(csv, "forward_speed", wordOf(kForwardSpeedWords, c.forwardSpeed), "");
+  list(csv, "forward_speed", nameOf(kForwardSpeedNames, c.forwardSpeed), "");
   list(csv, "adjoint_vectors", c.adjoint.empty() ? "0" : "1", "");
   list(csv, "adjoint_vectors_dx", c.adjointX.empty() ? "0" : "1", "");
   list(csv, "x_derivatives", c.addedMassX.empty() ? "0" : "1", "");

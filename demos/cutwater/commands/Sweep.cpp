@@ -87,7 +87,7 @@ std::vector<CVec6> runAll(const RunFile& run, const Coefficients& coefficients, 
   std::vector<CVec6> results(run.omega.size());
   std::atomic<int> done{0};
   Progress progress("sweep");
-  shareOut(results.size(), static_cast<unsigned>(std::max(threads, 0)), [&](std::size_t i) {
+  parallelFor(results.size(), threads, [&](std::size_t i) {
     results[i] = motionInBullet(run, coefficients, i);
     progress.at(++done, static_cast<int>(results.size()));
   });

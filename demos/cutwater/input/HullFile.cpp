@@ -25,16 +25,16 @@ PanelledHull readHullSection(TomlFile& file, std::optional<int> count) {
   if (!hull.has("mesh")) hull.refuse("mesh", "is missing; it names the hull file");
   const std::string mesh = file.beside(hull.text("mesh", ""));
   MeshReadOptions options;
-  options.up = hull.text("up", options.up, kAxisWords);
-  options.forward = hull.text("forward", options.forward, kAxisWords);
+  options.up = hull.text("up", options.up, kAxisNames);
+  options.forward = hull.text("forward", options.forward, kAxisNames);
   if (options.up.back() == options.forward.back())
     hull.refuse("forward", "is the axis that points up");
-  options.unit = hull.text("unit", options.unit, kUnitWords);
+  options.unit = hull.text("unit", options.unit, kUnitNames);
   options.waterline = hull.number("waterline", 0.0, -1e6, 1e6);
   options.trimDeg = hull.number("trim_deg", 0.0, -45.0, 45.0);
   options.heelDeg = hull.number("heel_deg", 0.0, -180.0, 180.0);
   options.anyFormat = hull.boolean("any_format", false);
-  options.symmetric = hull.text("symmetric", "auto", kSymmetryWords);
+  options.symmetric = hull.text("symmetric", "auto", kSymmetryNames);
   std::optional<int> panels = count;
   if (hull.isNumber("panels")) {
     const int own = hull.integer("panels", 0, kFewestPanels, kMostPanels);

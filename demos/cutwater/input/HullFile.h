@@ -9,9 +9,9 @@
 namespace cutwater::command {
 
 /// What MeshReadOptions may say, in files and on the command line.
-inline const std::vector<std::string> kAxisWords{"x", "-x", "y", "-y", "z", "-z"};
-inline const std::vector<std::string> kUnitWords{"m", "mm", "cm", "ft", "in"};
-inline const std::vector<std::string> kSymmetryWords{"auto", "none", "half"};
+inline const std::vector<std::string> kAxisNames{"x", "-x", "y", "-y", "z", "-z"};
+inline const std::vector<std::string> kUnitNames{"m", "mm", "cm", "ft", "in"};
+inline const std::vector<std::string> kSymmetryNames{"auto", "none", "half"};
 
 /// A hull and the panels of its wet part.
 struct PanelledHull {

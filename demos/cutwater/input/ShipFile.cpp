@@ -76,8 +76,8 @@ std::vector<double> waveFrequencies(TomlSection& solve, const std::vector<double
 // One of `words`, as the enumerator at its place.
 template <class Enum, class Words>
 Enum choice(TomlSection& section, const std::string& key, const Words& words, Enum fallback) {
-  const std::string word = section.text(key, wordOf(words, fallback), {words.begin(), words.end()});
-  return *fromWord<Enum>(words, word);
+  const std::string word = section.text(key, nameOf(words, fallback), {words.begin(), words.end()});
+  return *fromName<Enum>(words, word);
 }
 
 // 1, 4 or 9; "auto" is 0 where it is allowed.
@@ -103,13 +103,13 @@ ConditionLimit conditionLimit(TomlSection& solve, const std::string& key) {
 }
 
 void readMethods(TomlSection& solve, SolveSettings& settings) {
-  settings.formulation = choice(solve, "formulation", kFormulationWords, settings.formulation);
-  settings.derivatives = choice(solve, "derivatives", kDerivativesWords, settings.derivatives);
+  settings.formulation = choice(solve, "formulation", kFormulationNames, settings.formulation);
+  settings.derivatives = choice(solve, "derivatives", kDerivativesNames, settings.derivatives);
   if (settings.derivatives == Derivatives::Source && settings.formulation != Formulation::Source) {
     solve.refuse("derivatives", "needs formulation = \"source\"");
   }
-  settings.forwardSpeed = choice(solve, "forward_speed", kForwardSpeedWords, settings.forwardSpeed);
-  settings.influence = choice(solve, "influence", kInfluenceWords, settings.influence);
+  settings.forwardSpeed = choice(solve, "forward_speed", kForwardSpeedNames, settings.forwardSpeed);
+  settings.influence = choice(solve, "influence", kInfluenceNames, settings.influence);
   settings.sourcePoints = points(solve, "source_points", settings.sourcePoints, true);
   settings.galerkinPoints = points(solve, "galerkin_points", settings.galerkinPoints, false);
   settings.curvedPanels = solve.boolean("curved_panels", settings.curvedPanels);

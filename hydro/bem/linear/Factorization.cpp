@@ -92,9 +92,9 @@ Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> product(
 }
 
 template <typename Scalar>
-Factorization<Scalar>::Factorization(Matrix matrix, LowMatrix room)
+Factorization<Scalar>::Factorization(Matrix matrix, LowMatrix workspace)
     : matrix_(std::move(matrix)),
-      lu_(std::move(room)),
+      lu_(std::move(workspace)),
       pivots_(static_cast<std::size_t>(matrix_.rows())) {
   const Eigen::Index n = matrix_.rows();
   lu_.resize(n, n);

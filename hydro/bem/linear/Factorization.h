@@ -22,13 +22,13 @@ class Factorization {
   using LowMatrix = Eigen::Matrix<Low, Eigen::Dynamic, Eigen::Dynamic>;
   /// A matrix and its factors, to be written over by the next: saves the time in which the system
   /// finds memory.
-  struct Room {
+  struct Workspace {
     Matrix matrix;
     LowMatrix factors;
   };
 
   /// @throws HydroError MatrixSingular naming the pivot.
-  explicit Factorization(Matrix matrix, LowMatrix room = {});
+  explicit Factorization(Matrix matrix, LowMatrix workspace = {});
   /// M⁻¹ b.
   Matrix solve(const Matrix& b) const { return refined('N', b); }
   /// M⁻ᵀ b, plain transpose.
@@ -37,7 +37,7 @@ class Factorization {
   double condition() const;
   const Matrix& matrix() const noexcept { return matrix_; }
   /// Takes them back. Nothing else may be called afterwards.
-  Room release() && { return {std::move(matrix_), std::move(lu_)}; }
+  Workspace release() && { return {std::move(matrix_), std::move(lu_)}; }
 
  private:
   Matrix refined(char form, const Matrix& b) const;

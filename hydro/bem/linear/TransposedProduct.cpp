@@ -8,8 +8,8 @@
 namespace cutwater {
 namespace {
 
-CUTWATER_INLINE Four twoOf(const Complex* from) {
-  return loadFour(reinterpret_cast<const double*>(from));
+CUTWATER_INLINE Double4 twoOf(const Complex* from) {
+  return load4(reinterpret_cast<const double*>(from));
 }
 
 /// Adds aᵀb_j over `rows` rows to c_j, j < width. `step` from column to column of B and of c. Meanwhile
@@ -18,18 +18,18 @@ template <int width>
 CUTWATER_INLINE void addDots(const Complex* a, const Complex* next, const Complex* B,
                              Eigen::Index step, Eigen::Index rows, Complex* c,
                              Eigen::Index stepOfC) {
-  Four straight[width] = {}, crossed[width] = {};
+  Double4 straight[width] = {}, crossed[width] = {};
   for (Eigen::Index row = 0; row + 1 < rows; row += 2) {
     if (row % 4 == 0) __builtin_prefetch(next + row);
-    const Four two = twoOf(a + row), swapped = __builtin_shufflevector(two, two, 1, 0, 3, 2);
+    const Double4 two = twoOf(a + row), swapped = __builtin_shufflevector(two, two, 1, 0, 3, 2);
     for (int j = 0; j < width; ++j) {
-      const Four b = twoOf(B + j * step + row);
+      const Double4 b = twoOf(B + j * step + row);
       straight[j] += two * b;
       crossed[j] += swapped * b;
     }
   }
   for (int j = 0; j < width; ++j) {
-    const Four s = straight[j], x = crossed[j];
+    const Double4 s = straight[j], x = crossed[j];
     c[j * stepOfC] += Complex((s[0] - s[1]) + (s[2] - s[3]), (x[0] + x[1]) + (x[2] + x[3]));
     if (rows % 2 == 1) c[j * stepOfC] += a[rows - 1] * B[j * step + rows - 1];
   }

@@ -21,12 +21,12 @@ namespace {
 CUTWATER_VECTOR void formFactors(const PanelMoments& panel, double K, const double* ex,
                                  const double* ey, std::size_t count, Complex* S) {
   const auto along = [&](const Vec3& axis, std::size_t i) {
-    const Four level = axis.x() * loadFour(ex + i) + axis.y() * loadFour(ey + i);
-    return ComplexFour{level * 0.0 + K * axis.z(), -K * level};
+    const Double4 level = axis.x() * load4(ex + i) + axis.y() * load4(ey + i);
+    return ComplexDouble4{level * 0.0 + K * axis.z(), -K * level};
   };
   for (std::size_t i = 0; i < count; i += 4) {
-    const ComplexFour four = exponential(panel.logarithm(along(panel.u, i), along(panel.v, i)));
-    for (std::size_t k = 0; k < 4; ++k) S[i + k] = Complex(four.re[k], four.im[k]);
+    const ComplexDouble4 e = exponential(panel.logarithm(along(panel.u, i), along(panel.v, i)));
+    for (std::size_t k = 0; k < 4; ++k) S[i + k] = Complex(e.re[k], e.im[k]);
   }
 }
 

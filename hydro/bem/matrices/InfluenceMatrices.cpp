@@ -61,12 +61,12 @@ double InfluenceMatrices::lidShare(double K) const noexcept {
 }
 
 std::array<InfluenceSystem<Complex>, 2> InfluenceMatrices::atWaveNumber(
-    double K, IdleLid idle, std::array<InfluenceSystem<Complex>, 2> room) const {
+    double K, IdleLid idle, std::array<InfluenceSystem<Complex>, 2> workspace) const {
   const double share = lidShare(K);
   const bool drop = share == 0.0 && idle == IdleLid::Drop;
   const int all = drop ? pairs_.hull() : pairs_.all();
-  Systems systems = std::move(room);
-  makeRoom(all, systems);
+  Systems systems = std::move(workspace);
+  resize(all, systems);
   const FarWave::At at{K, share, all};
   if (settings().sourcePoints == 0) {
     farWave_.fill(at, systems);
@@ -79,7 +79,7 @@ std::array<InfluenceSystem<Complex>, 2> InfluenceMatrices::atWaveNumber(
   return systems;
 }
 
-void InfluenceMatrices::makeRoom(int all, Systems& systems) const {
+void InfluenceMatrices::resize(int all, Systems& systems) const {
   const int hull = pairs_.hull();
   for (int p = 0; p < parities(); ++p) {
     auto& [L, R, H, formulation] = systems[static_cast<std::size_t>(p)];

@@ -55,11 +55,11 @@ class InfluenceMatrices {
 
   /// Systems at one frequency, indexed by Parity. O((n + m)²) wave terms.
   /// @param K ω²/g [1/m] > 0.
-  /// @param room  matrices to be written over; those of an earlier frequency save the time in which
+  /// @param workspace  matrices to be written over; those of an earlier frequency save the time in which
   ///              the system finds memory.
   std::array<InfluenceSystem<Complex>, 2> atWaveNumber(
       double K, IdleLid idle = IdleLid::Drop,
-      std::array<InfluenceSystem<Complex>, 2> room = {}) const;
+      std::array<InfluenceSystem<Complex>, 2> workspace = {}) const;
 
   /// Systems at ω → 0 or ∞: real, without lid (they have no irregular frequencies).
   InfluenceSystem<double> atLimit(FrequencyLimit limit, Parity parity) const;
@@ -70,7 +70,7 @@ class InfluenceMatrices {
 
  private:
   using Systems = std::array<InfluenceSystem<Complex>, 2>;
-  void makeRoom(int all, Systems& systems) const;
+  void resize(int all, Systems& systems) const;
   void fillRigid(const FarWave::At& at, Systems& systems) const;
   void addDiagonals(Systems& systems) const;
   void addFarWaves(const FarWave::At& at, Systems& systems) const;

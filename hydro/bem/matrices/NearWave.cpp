@@ -19,11 +19,11 @@ struct Points {
 };
 CUTWATER_VECTOR void addLogs(const Vec3& x, const Vec3& along, const Points& points,
                              NearImage& sum) {
-  Four log{}, logAlong{};
+  Double4 log{}, logAlong{};
   for (std::size_t i = 0; i < points.count; i += 4) {
-    const Four dx = loadFour(points.x + i) - x.x(), dy = loadFour(points.y + i) - x.y();
-    const Four depth = -(x.z() + loadFour(points.z + i)), weight = loadFour(points.weight + i);
-    const Four R1 = squareRoot(dx * dx + dy * dy + depth * depth), rho = R1 + depth;
+    const Double4 dx = load4(points.x + i) - x.x(), dy = load4(points.y + i) - x.y();
+    const Double4 depth = -(x.z() + load4(points.z + i)), weight = load4(points.weight + i);
+    const Double4 R1 = squareRoot(dx * dx + dy * dy + depth * depth), rho = R1 + depth;
     log += weight * logarithm(rho);
     logAlong += weight * (along.x() * dx + along.y() * dy) / (R1 * rho);
   }
@@ -101,9 +101,7 @@ namespace {
 /// of no weight.
 struct Seen {
   static constexpr std::size_t kMost = 64;
-  struct alignas(32) Column : std::array<double, kMost> {
-    CUTWATER_INLINE Four four(std::size_t i) const { return loadFour(data() + i); }
-  };
+  using Column = Column4<kMost>;
   std::size_t count = 0;
   Column weight, X, Y, R;
   Column dx, dy;  // K times the distance
@@ -118,11 +116,11 @@ struct Seen {
   CUTWATER_INLINE void evaluate() {
     while (count % 4 != 0) put(0.0, 1.0, 0.0, 1.0);
     for (std::size_t i = 0; i < count; i += 4) {
-      const Four hh = dx.four(i) * dx.four(i) + dy.four(i) * dy.four(i);
-      const Four r = squareRoot(hh + Y.four(i) * Y.four(i));
-      storeFour(&X[i], squareRoot(hh));
-      storeFour(&R[i], r);
-      storeFour(&Y[i], r > 0.0 ? Y.four(i) : r + 1.0);  // where R = 0 the wave term is not used
+      const Double4 hh = dx.load(i) * dx.load(i) + dy.load(i) * dy.load(i);
+      const Double4 r = squareRoot(hh + Y.load(i) * Y.load(i));
+      X.store(i, squareRoot(hh));
+      R.store(i, r);
+      Y.store(i, r > 0.0 ? Y.load(i) : r + 1.0);  // where R = 0 the wave term is not used
     }
     waveTerms(X.data(), Y.data(), count,
               {F.data(), FX.data(), J0.data(), J1.data(), Y0.data(), Y1.data()});
@@ -130,25 +128,25 @@ struct Seen {
 };
 
 /// NearSums, four at a time.
-struct FourSums {
-  Four weights{}, smooth{}, rest{}, oscillation{};
-  Four smoothX{}, smoothY{}, restX{}, restY{}, oscillationX{}, oscillationY{}, restUp{};
+struct Sums4 {
+  Double4 weights{}, smooth{}, rest{}, oscillation{};
+  Double4 smoothX{}, smoothY{}, restX{}, restY{}, oscillationX{}, oscillationY{}, restUp{};
 
   /// Four pairs from i on.
   CUTWATER_INLINE void add(const Seen& seen, std::size_t i) {
-    const Four weight = seen.weight.four(i), X = seen.X.four(i), Y = seen.Y.four(i);
-    const Four F = seen.F.four(i), FX = seen.FX.four(i), zero = {};
-    const auto apart = seen.R.four(i) > 0.0, beside = X > 0.0;
-    const Four R = apart ? seen.R.four(i) : zero + 1.0;
-    const Four towards = beside ? weight / X : zero;
-    const Four perR = 1.0 / R, cube = perR * perR * perR, FY = -F - 2.0 * perR;
-    const Four x = towards * seen.dx.four(i), y = towards * seen.dy.four(i);
+    const Double4 weight = seen.weight.load(i), X = seen.X.load(i), Y = seen.Y.load(i);
+    const Double4 F = seen.F.load(i), FX = seen.FX.load(i), zero = {};
+    const auto apart = seen.R.load(i) > 0.0, beside = X > 0.0;
+    const Double4 R = apart ? seen.R.load(i) : zero + 1.0;
+    const Double4 towards = beside ? weight / X : zero;
+    const Double4 perR = 1.0 / R, cube = perR * perR * perR, FY = -F - 2.0 * perR;
+    const Double4 x = towards * seen.dx.load(i), y = towards * seen.dy.load(i);
     weights += weight;
     smooth += weight * (apart ? F + 2.0 * logarithm(0.5 * (R + Y)) : zero - 2.0 * kEulerGamma);
     rest += apart ? weight * (F + 2.0 * perR) : zero;
-    oscillation += weight * (apart ? seen.J0.four(i) : zero + 1.0);
-    const Four smoothSlope = FX + 2.0 * X * perR / (R + Y), restSlope = FX - 2.0 * X * cube;
-    const Four oscillationSlope = seen.J1.four(i);
+    oscillation += weight * (apart ? seen.J0.load(i) : zero + 1.0);
+    const Double4 smoothSlope = FX + 2.0 * X * perR / (R + Y), restSlope = FX - 2.0 * X * cube;
+    const Double4 oscillationSlope = seen.J1.load(i);
     smoothX += x * smoothSlope;
     smoothY += y * smoothSlope;
     restX += x * restSlope;
@@ -167,7 +165,7 @@ struct FourSums {
 CUTWATER_VECTOR void addPairs(std::span<const QuadraturePoint> field, bool mirrored,
                               std::span<const QuadraturePoint> source, double K, NearSums& to) {
   Seen seen;
-  FourSums sums;
+  Sums4 sums;
   const double side = mirrored ? -1.0 : 1.0;
   for (const QuadraturePoint& a : field)
     for (const QuadraturePoint& b : source) {

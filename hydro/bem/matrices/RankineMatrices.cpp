@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "hydro/base/ParallelFor.h"
 #include "hydro/base/SimdMath.h"
-#include "hydro/bem/Parallel.h"
 
 namespace cutwater {
 namespace {
@@ -33,21 +33,21 @@ void add(const NearImage& one, double weight, NearImage& sum) {
 namespace {
 
 /// Four Galerkin points together, if their number allows.
-std::vector<RankineMatrices::FourSeen> foursOf(const std::vector<QuadraturePoint>& points,
-                                               double area) {
-  std::vector<RankineMatrices::FourSeen> fours;
-  if (points.size() % 4 != 0) return fours;
+std::vector<RankineMatrices::WeightedPoints4> blocksOf(const std::vector<QuadraturePoint>& points,
+                                                       double area) {
+  std::vector<RankineMatrices::WeightedPoints4> blocks;
+  if (points.size() % 4 != 0) return blocks;
   for (std::size_t from = 0; from < points.size(); from += 4) {
-    RankineMatrices::FourSeen& four = fours.emplace_back();
+    RankineMatrices::WeightedPoints4& block = blocks.emplace_back();
     for (std::size_t i = 0; i < 4; ++i) {
       const QuadraturePoint& point = points[from + i];
-      four.x[i] = point.x.x();
-      four.y[i] = point.x.y();
-      four.z[i] = point.x.z();
-      four.weight[i] = point.weight / area;
+      block.x[i] = point.x.x();
+      block.y[i] = point.x.y();
+      block.z[i] = point.x.z();
+      block.weight[i] = point.weight / area;
     }
   }
-  return fours;
+  return blocks;
 }
 
 }  // namespace
@@ -55,7 +55,8 @@ std::vector<RankineMatrices::FourSeen> foursOf(const std::vector<QuadraturePoint
 RankineMatrices::RankineMatrices(const PanelPairs& pairs)
     : pairs_(pairs), near_(static_cast<std::size_t>(pairs.all())) {
   const int all = pairs.all();
-  for (int i = 0; i < all; ++i) fours_.push_back(foursOf(pairs.galerkin(i), pairs.panel(i).area));
+  for (int i = 0; i < all; ++i)
+    pointBlocks_.push_back(blocksOf(pairs.galerkin(i), pairs.panel(i).area));
   for (int p = 0; p < pairs.parities(); ++p) {
     RankineParts& part = parts_[static_cast<std::size_t>(p)];
     for (Eigen::MatrixXd* m : {&part.rigid, &part.image, &part.rigidNormal, &part.imageNormal})
@@ -64,9 +65,9 @@ RankineMatrices::RankineMatrices(const PanelPairs& pairs)
     part.rigidX.resize(all, all);
     part.imageX.resize(all, all);
   }
-  parallelFor(all, pairs.settings().threads, [this](int source) {
-    integrate(source);
-    findNear(source);
+  parallelFor(static_cast<std::size_t>(all), pairs.settings().threads, [this](std::size_t source) {
+    integrate(static_cast<int>(source));
+    findNear(static_cast<int>(source));
   });
   for (int source = 0; source < all; ++source) findOpposites(source);
 }
@@ -75,14 +76,14 @@ namespace {
 
 /// What `add` sums over all points, four at a time by the far form.
 CUTWATER_VECTOR Sample farSample(const RankinePanel& rankine,
-                                 const std::vector<RankineMatrices::FourSeen>& points,
+                                 const std::vector<RankineMatrices::WeightedPoints4>& points,
                                  bool mirrored, bool image, const Vec3& n, bool source) {
   const double sideY = mirrored ? -1.0 : 1.0, sideZ = image ? -1.0 : 1.0;
-  Four potential{}, normal{}, x{};
-  for (const RankineMatrices::FourSeen& four : points) {
-    const Four weight = loadFour(four.weight);
-    const RankinePanel::FourIntegrals at =
-        rankine.farAt({loadFour(four.x), sideY * loadFour(four.y), sideZ * loadFour(four.z)});
+  Double4 potential{}, normal{}, x{};
+  for (const RankineMatrices::WeightedPoints4& block : points) {
+    const Double4 weight = load4(block.weight);
+    const RankinePanel::Integrals4 at =
+        rankine.farAt({load4(block.x), sideY * load4(block.y), sideZ * load4(block.z)});
     potential += weight * at.potential;
     normal += weight * (source ? n.x() * at.gradientX + n.y() * at.gradientY + n.z() * at.gradientZ
                                : at.doubleLayer);
@@ -103,10 +104,10 @@ RankineMatrices::Sample RankineMatrices::sample(const RankinePanel& rankine, con
   };
   const Vec3 n = seen(panel.normal);
   const auto& points = pairs_.galerkin(pair.field);
-  const auto& fours = fours_[static_cast<std::size_t>(pair.field)];
+  const auto& blocks = pointBlocks_[static_cast<std::size_t>(pair.field)];
   const double reach = RankinePanel::kFarRatio * rankine.radius() + pairs_.size(pair.field);
-  if (!fours.empty() && (seen(panel.centroid) - rankine.centroid()).squaredNorm() > reach * reach)
-    return farSample(rankine, fours, pair.mirrored, image, n, pairs_.isSource());
+  if (!blocks.empty() && (seen(panel.centroid) - rankine.centroid()).squaredNorm() > reach * reach)
+    return farSample(rankine, blocks, pair.mirrored, image, n, pairs_.isSource());
   Sample sum;
   for (const QuadraturePoint& point : points) {
     RankineIntegrals at = rankine.at(seen(point.x));

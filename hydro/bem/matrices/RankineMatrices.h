@@ -48,7 +48,7 @@ class RankineMatrices {
   };
 
   /// Four points of a field panel, their weights shares of its area.
-  struct FourSeen {
+  struct WeightedPoints4 {
     double x[4], y[4], z[4], weight[4];
   };
 
@@ -59,7 +59,8 @@ class RankineMatrices {
   void findOpposites(int source);
 
   const PanelPairs& pairs_;
-  std::vector<std::vector<FourSeen>> fours_;  // of each field panel; empty if it has not 4, 8, ...
+  std::vector<std::vector<WeightedPoints4>>
+      pointBlocks_;  // of each field panel; empty if it has not 4, 8, ...
   std::array<RankineParts, 2> parts_;
   std::vector<std::vector<NearPair>>
       near_;  // of each source panel: not mirrored, mirrored, by field

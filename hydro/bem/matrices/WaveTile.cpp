@@ -14,34 +14,34 @@ namespace {
 constexpr double kTwoPi = 2.0 * kPi;
 constexpr double kFrom = 1.0, kFully = 2.0;  // X: the waves o count
 
-CUTWATER_INLINE Four load(const WaveTile::Column& column, std::size_t k) {
-  return loadFour(column.data() + k);
+CUTWATER_INLINE Double4 load(const WaveTile::Column& column, std::size_t k) {
+  return load4(column.data() + k);
 }
-CUTWATER_INLINE void store(WaveTile::Column& column, std::size_t k, Four value) {
-  storeFour(column.data() + k, value);
+CUTWATER_INLINE void store(WaveTile::Column& column, std::size_t k, Double4 value) {
+  store4(column.data() + k, value);
 }
 
 /// Derivatives, by X and Y, of a function that is harmonic in space. The others follow:
 /// bend = (∂/∂X)/X, XX = −bend − YY.
 struct Jet {
-  Four X, XY, YY, XYY, YYY;
+  Double4 X, XY, YY, XYY, YYY;
 };
 
 /// K² times mean products of distances from the centroids, sum over both panels, along ê and across.
 struct Moments {
-  Four along, across, mixed, alongUp, acrossUp, up;
+  Double4 along, across, mixed, alongUp, acrossUp, up;
 };
 
 /// Of source panel j and the field panels from i on.
 CUTWATER_INLINE Moments moments(const WaveTile::Panels& source, std::size_t j,
-                                const WaveTile::Panels& field, std::size_t i, Four ex, Four ey,
-                                double KK) {
-  const auto both = [&](const WaveTile::Edge WaveTile::Panels::*product) -> Four {
-    return KK * ((source.*product)[j] + loadFour((field.*product).data() + i));
+                                const WaveTile::Panels& field, std::size_t i, Double4 ex,
+                                Double4 ey, double KK) {
+  const auto both = [&](const WaveTile::Edge WaveTile::Panels::*product) -> Double4 {
+    return KK * ((source.*product)[j] + load4((field.*product).data() + i));
   };
   using Panels = WaveTile::Panels;
-  const Four xx = both(&Panels::xx), xy = both(&Panels::xy), yy = both(&Panels::yy),
-             xz = both(&Panels::xz), yz = both(&Panels::yz);
+  const Double4 xx = both(&Panels::xx), xy = both(&Panels::xy), yy = both(&Panels::yy),
+                xz = both(&Panels::xz), yz = both(&Panels::yz);
   return {ex * ex * xx + 2.0 * ex * ey * xy + ey * ey * yy,
           ey * ey * xx - 2.0 * ex * ey * xy + ex * ex * yy,
           ex * ey * (yy - xx) + (ex * ex - ey * ey) * xy,
@@ -52,18 +52,18 @@ CUTWATER_INLINE Moments moments(const WaveTile::Panels& source, std::size_t j,
 
 /// ½⟨(s·∇)²⟩ of a function and of its derivatives along ê, across it and by Y.
 struct Second {
-  Four value, slope, across, byY;
+  Double4 value, slope, across, byY;
 };
 
-CUTWATER_INLINE Second second(const Jet& a, Four X, const Moments& m) {
+CUTWATER_INLINE Second second(const Jet& a, Double4 X, const Moments& m) {
   constexpr double kSmall = 1e-2;  // X; from there to 0 the limit
   const auto clear = X > kSmall;
-  const Four zero = X * 0.0, perX = 1.0 / atLeast(X, kSmall);
-  const Four bend = clear ? a.X * perX : -0.5 * a.YY;
-  const Four XX = -bend - a.YY;
-  const Four bendX = clear ? (XX - bend) * perX : zero;
-  const Four bendY = clear ? a.XY * perX : -0.5 * a.YYY;
-  const Four XXX = -bendX - a.XYY, XXY = -bendY - a.YYY;
+  const Double4 zero = X * 0.0, perX = 1.0 / atLeast(X, kSmall);
+  const Double4 bend = clear ? a.X * perX : -0.5 * a.YY;
+  const Double4 XX = -bend - a.YY;
+  const Double4 bendX = clear ? (XX - bend) * perX : zero;
+  const Double4 bendY = clear ? a.XY * perX : -0.5 * a.YYY;
+  const Double4 XXX = -bendX - a.XYY, XXY = -bendY - a.YYY;
   return {0.5 * (m.along * XX + m.across * bend + m.up * a.YY) - m.alongUp * a.XY,
           0.5 * (m.along * XXX + m.across * bendX + m.up * a.XYY) - m.alongUp * XXY,
           m.mixed * bendX - m.acrossUp * bendY,
@@ -72,47 +72,47 @@ CUTWATER_INLINE Second second(const Jet& a, Four X, const Moments& m) {
 
 /// 2π e^{−Y} times the Bessel functions.
 struct Waves {
-  Four J0, J1, Y0, Y1;
+  Double4 J0, J1, Y0, Y1;
 };
 
 /// What the panels' extent makes of the waves o = −(Y₀ + iJ₀), less o: by value, slope and across.
 struct WaveChange {
-  ComplexFour value, slope, across;
+  ComplexDouble4 value, slope, across;
 };
 
 // Outgoing waves go as H₀ = J₀ − iY₀ along ê. With d = H₀′/H₀ = −H₁/H₀ and Bessel's equation, their
 // second moments are ½[a(−1 − d/X) + c d/X + u] + t d, a along, c across, u up, t along and up; those
 // of a plane wave, which are in the form factor, ½[−a + u] − it. H₀′ has e = H₀″/H₀′ + 1/X = −1/d.
-CUTWATER_INLINE WaveChange change(const Waves& w, Four X, Four count, const ComplexFour& form,
-                                  const Moments& m) {
-  const Four same = w.J0 * w.J1 + w.Y0 * w.Y1, cross = w.J1 * w.Y0 - w.Y1 * w.J0;
-  const Four per0 = 1.0 / (w.J0 * w.J0 + w.Y0 * w.Y0 + 1e-300);
-  const Four per1 = 1.0 / (w.J1 * w.J1 + w.Y1 * w.Y1 + 1e-300);
-  const ComplexFour d{-same * per0, -cross * per0}, e{same * per1, -cross * per1};
-  const Four perX = 1.0 / atLeast(X, 0.5 * kFrom);
-  const Four front = 0.5 * (m.across - m.along) * perX;
-  const auto ofForm = [&form](const ComplexFour& c) {
-    const ComplexFour cc = c * c;
-    return form * ComplexFour{1.0 + c.re + 0.9 * cc.re, c.im + 0.9 * cc.im};
+CUTWATER_INLINE WaveChange change(const Waves& w, Double4 X, Double4 count,
+                                  const ComplexDouble4& form, const Moments& m) {
+  const Double4 same = w.J0 * w.J1 + w.Y0 * w.Y1, cross = w.J1 * w.Y0 - w.Y1 * w.J0;
+  const Double4 per0 = 1.0 / (w.J0 * w.J0 + w.Y0 * w.Y0 + 1e-300);
+  const Double4 per1 = 1.0 / (w.J1 * w.J1 + w.Y1 * w.Y1 + 1e-300);
+  const ComplexDouble4 d{-same * per0, -cross * per0}, e{same * per1, -cross * per1};
+  const Double4 perX = 1.0 / atLeast(X, 0.5 * kFrom);
+  const Double4 front = 0.5 * (m.across - m.along) * perX;
+  const auto ofForm = [&form](const ComplexDouble4& c) {
+    const ComplexDouble4 cc = c * c;
+    return form * ComplexDouble4{1.0 + c.re + 0.9 * cc.re, c.im + 0.9 * cc.im};
   };
-  const ComplexFour byValue =
+  const ComplexDouble4 byValue =
       ofForm({(front + m.alongUp) * d.re, front * d.im + m.alongUp * (d.im + 1.0)});
-  const ComplexFour bySlope = ofForm({front * (e.re - 2.0 * perX) + m.alongUp * (e.re - perX),
-                                      front * e.im + m.alongUp * (e.im + 1.0)});
-  const ComplexFour turn =
-      form *
-      ComplexFour{m.mixed * perX * (e.re - 2.0 * perX) + m.acrossUp * perX, m.mixed * perX * e.im};
-  const ComplexFour o{-count * w.Y0, -count * w.J0}, slope{count * w.Y1, count * w.J1};
-  return {o * ComplexFour{byValue.re - 1.0, byValue.im},
-          slope * ComplexFour{bySlope.re - 1.0, bySlope.im}, slope * turn};
+  const ComplexDouble4 bySlope = ofForm({front * (e.re - 2.0 * perX) + m.alongUp * (e.re - perX),
+                                         front * e.im + m.alongUp * (e.im + 1.0)});
+  const ComplexDouble4 turn =
+      form * ComplexDouble4{m.mixed * perX * (e.re - 2.0 * perX) + m.acrossUp * perX,
+                            m.mixed * perX * e.im};
+  const ComplexDouble4 o{-count * w.Y0, -count * w.J0}, slope{count * w.Y1, count * w.J1};
+  return {o * ComplexDouble4{byValue.re - 1.0, byValue.im},
+          slope * ComplexDouble4{bySlope.re - 1.0, bySlope.im}, slope * turn};
 }
 
 /// 1/R and its derivatives by X and Y.
 struct Inverse {
-  Four r, X, Y, XY, YY, XYY, YYY;
+  Double4 r, X, Y, XY, YY, XYY, YYY;
 };
-CUTWATER_INLINE Inverse inverse(Four r, Four X, Four Y) {
-  const Four r2 = r * r, r3 = r * r2, r5 = 3.0 * r3 * r2, r7 = 5.0 * r5 * r2;
+CUTWATER_INLINE Inverse inverse(Double4 r, Double4 X, Double4 Y) {
+  const Double4 r2 = r * r, r3 = r * r2, r5 = 3.0 * r3 * r2, r7 = 5.0 * r5 * r2;
   return {r,
           -X * r3,
           -Y * r3,
@@ -123,9 +123,10 @@ CUTWATER_INLINE Inverse inverse(Four r, Four X, Four Y) {
 }
 
 /// F + share/R without the part w of the waves. F_Y = −F − 2/R; w = −Y₀ falls as e^{−Y}.
-CUTWATER_INLINE Jet rest(Four F, Four FX, const Inverse& r, Four share, Four w0, Four w1) {
-  const Four FY = -F - 2.0 * r.r, FXY = -FX - 2.0 * r.X, FYY = -FY - 2.0 * r.Y;
-  const Four FXYY = -FXY - 2.0 * r.XY, FYYY = -FYY - 2.0 * r.YY;
+CUTWATER_INLINE Jet rest(Double4 F, Double4 FX, const Inverse& r, Double4 share, Double4 w0,
+                         Double4 w1) {
+  const Double4 FY = -F - 2.0 * r.r, FXY = -FX - 2.0 * r.X, FYY = -FY - 2.0 * r.Y;
+  const Double4 FXYY = -FXY - 2.0 * r.XY, FYYY = -FYY - 2.0 * r.YY;
   return {FX + share * r.X - w1, FXY + share * r.XY + w1, FYY + share * r.YY + w0,
           FXYY + share * r.XYY - w1, FYYY + share * r.YYY - w0};
 }
@@ -133,23 +134,23 @@ CUTWATER_INLINE Jet rest(Four F, Four FX, const Inverse& r, Four share, Four w0,
 }  // namespace
 
 CUTWATER_VECTOR double WaveTile::place(double K) {
-  Four nearest = Four{} + 1e300;
+  Double4 nearest = Double4{} + 1e300;
   for (std::size_t j = 0; j < kSide; ++j)
     for (std::size_t i = 0; i < kSide; i += 4) {
       const std::size_t k = kSide * j + i;
-      const Four dx = source->x[j] - loadFour(&field->x[i]),
-                 dy = source->y[j] - loadFour(&field->y[i]);
-      const Four depth = -(loadFour(&field->z[i]) + source->z[j]), hh = dx * dx + dy * dy;
-      const Four h = squareRoot(hh), toImage = squareRoot(hh + depth * depth);
+      const Double4 dx = source->x[j] - load4(&field->x[i]),
+                    dy = source->y[j] - load4(&field->y[i]);
+      const Double4 depth = -(load4(&field->z[i]) + source->z[j]), hh = dx * dx + dy * dy;
+      const Double4 h = squareRoot(hh), toImage = squareRoot(hh + depth * depth);
       const auto apart = h > 0.0;
-      const Four perH = 1.0 / (apart ? h : h + 1.0);
+      const Double4 perH = 1.0 / (apart ? h : h + 1.0);
       store(ex, k, apart ? dx * perH : h + 1.0);
       store(ey, k, dy * perH);
       store(X, k, K * h);
       store(Y, k, K * depth);
       store(R1, k, toImage);
       store(active, k, h * 0.0 + 1.0);
-      const Four ratio = toImage / atLeast(loadFour(&field->size[i]), source->size[j]);
+      const Double4 ratio = toImage / atLeast(load4(&field->size[i]), source->size[j]);
       nearest = ratio < nearest ? ratio : nearest;
     }
   return std::min({nearest[0], nearest[1], nearest[2], nearest[3]});
@@ -172,41 +173,41 @@ CUTWATER_VECTOR void WaveTile::combine(double K) {
   const double KK = K * K, images = takeImages ? 2.0 : 0.0;
   for (std::size_t k = 0; k < kPairs; k += 4) {
     const std::size_t j = k / kSide, i = k % kSide;
-    const Four x = load(X, k), f = load(f_, k), fx = load(fx_, k), use = load(active, k);
-    const Four ramp = atLeast((x - kFrom) / (kFully - kFrom), 0.0);
-    const Four place = 1.0 - atLeast(1.0 - ramp, 0.0);
-    const Four count = place * place * (3.0 - 2.0 * place);
+    const Double4 x = load(X, k), f = load(f_, k), fx = load(fx_, k), use = load(active, k);
+    const Double4 ramp = atLeast((x - kFrom) / (kFully - kFrom), 0.0);
+    const Double4 place = 1.0 - atLeast(1.0 - ramp, 0.0);
+    const Double4 count = place * place * (3.0 - 2.0 * place);
     const Waves w{kTwoPi * load(j0_, k), kTwoPi * load(j1_, k), kTwoPi * load(y0_, k),
                   kTwoPi * load(y1_, k)};
-    const Four ax = load(ex, k), ay = load(ey, k);
+    const Double4 ax = load(ex, k), ay = load(ey, k);
     const Moments m = moments(*source, j, *field, i, ax, ay, KK);
     const WaveChange waves = change(w, x, count, {load(formRe, k), load(formIm, k)}, m);
 
     const Inverse r = inverse(1.0 / (K * load(R1, k)), x, load(Y, k));
-    const Four part = images * inverseShare(r.r);
+    const Double4 part = images * inverseShare(r.r);
     const Second real = second(rest(f, fx, r, part, count * w.Y0, count * w.Y1), x, m);
-    const Four left0 = (1.0 - count) * w.J0, left1 = (1.0 - count) * w.J1;
+    const Double4 left0 = (1.0 - count) * w.J0, left1 = (1.0 - count) * w.J1;
     const Second imaginary = second({left1, -left1, -left0, left1, left0}, x, m);
 
     store(share, k, use * part);
     store(valueRe, k, use * K * (f + part * r.r + waves.value.re + real.value));
     store(valueIm, k, use * K * (waves.value.im - w.J0 + imaginary.value));
-    const ComplexFour slope{use * KK * (fx + part * r.X + waves.slope.re + real.slope),
-                            use * KK * (w.J1 + waves.slope.im + imaginary.slope)};
-    const ComplexFour across{use * KK * (waves.across.re + real.across),
-                             use * KK * (waves.across.im + imaginary.across)};
-    const ComplexFour rise{use * KK * (part * r.Y - f - 2.0 * r.r - waves.value.re + real.byY),
-                           use * KK * (w.J0 - waves.value.im + imaginary.byY)};
-    const ComplexFour byX{ax * slope.re - ay * across.re, ax * slope.im - ay * across.im};
-    const ComplexFour byY{ay * slope.re + ax * across.re, ay * slope.im + ax * across.im};
-    const auto derivative = [&](Four nx, Four ny, Four nz) {
-      return ComplexFour{nx * byX.re + ny * byY.re - nz * rise.re,
-                         nx * byX.im + ny * byY.im - nz * rise.im};
+    const ComplexDouble4 slope{use * KK * (fx + part * r.X + waves.slope.re + real.slope),
+                               use * KK * (w.J1 + waves.slope.im + imaginary.slope)};
+    const ComplexDouble4 across{use * KK * (waves.across.re + real.across),
+                                use * KK * (waves.across.im + imaginary.across)};
+    const ComplexDouble4 rise{use * KK * (part * r.Y - f - 2.0 * r.r - waves.value.re + real.byY),
+                              use * KK * (w.J0 - waves.value.im + imaginary.byY)};
+    const ComplexDouble4 byX{ax * slope.re - ay * across.re, ax * slope.im - ay * across.im};
+    const ComplexDouble4 byY{ay * slope.re + ax * across.re, ay * slope.im + ax * across.im};
+    const auto derivative = [&](Double4 nx, Double4 ny, Double4 nz) {
+      return ComplexDouble4{nx * byX.re + ny * byY.re - nz * rise.re,
+                            nx * byX.im + ny * byY.im - nz * rise.im};
     };
-    const ComplexFour atSource =
+    const ComplexDouble4 atSource =
         derivative(x * 0.0 + source->nx[j], x * 0.0 + source->ny[j], x * 0.0 + source->nz[j]);
-    const ComplexFour atField =
-        derivative(loadFour(&field->nx[i]), loadFour(&field->ny[i]), loadFour(&field->nz[i]));
+    const ComplexDouble4 atField =
+        derivative(load4(&field->nx[i]), load4(&field->ny[i]), load4(&field->nz[i]));
     store(sourceRe, k, atSource.re);
     store(sourceIm, k, atSource.im);
     store(fieldRe, k, atField.re);
@@ -221,7 +222,7 @@ CUTWATER_VECTOR void WaveTile::toParities(WaveTile& a, WaveTile& b) {
        {&WaveTile::valueRe, &WaveTile::valueIm, &WaveTile::sourceRe, &WaveTile::sourceIm,
         &WaveTile::fieldRe, &WaveTile::fieldIm, &WaveTile::xRe, &WaveTile::xIm, &WaveTile::share})
     for (std::size_t k = 0; k < kPairs; k += 4) {
-      const Four one = load(a.*column, k), other = load(b.*column, k);
+      const Double4 one = load(a.*column, k), other = load(b.*column, k);
       store(a.*column, k, one + other);
       store(b.*column, k, one - other);
     }

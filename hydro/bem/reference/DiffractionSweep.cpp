@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hydro/bem/Parallel.h"
+#include "hydro/base/ParallelFor.h"
 #include "hydro/database/ForwardSpeed.h"
 
 namespace cutwater {
@@ -82,11 +82,10 @@ class DiffractionSweep {
   }
 
   /// All groups between node `interval` and the next; after the last node: each by itself.
-  void solve(int interval, const std::vector<Group>& groups) const {
-    const auto i = static_cast<std::size_t>(interval);
-    const double from = nodes_[i];
-    const bool beyond = i + 1 == nodes_.size();
-    const double to = beyond ? 0.0 : nodes_[i + 1];
+  void solve(std::size_t interval, const std::vector<Group>& groups) const {
+    const double from = nodes_[interval];
+    const bool beyond = interval + 1 == nodes_.size();
+    const double to = beyond ? 0.0 : nodes_[interval + 1];
     std::vector<const Group*> inside;
     for (const Group& group : groups)
       if (group.omegaE >= from && (beyond || group.omegaE < to)) inside.push_back(&group);
@@ -108,7 +107,7 @@ class DiffractionSweep {
             *group);
   }
 
-  int intervals() const { return static_cast<int>(nodes_.size()); }
+  std::size_t intervals() const { return nodes_.size(); }
 
  private:
   Systems systemsAt(double omega) const {
@@ -161,7 +160,7 @@ DiffractionTable solveDiffractionTable(const SolverParts& parts, const SolveSett
   table.values.resize(table.speeds.size() * table.headings.size() * table.waveOmega.size());
   const std::vector<Group> all = groups(table, parts.ship.gravity);
   const DiffractionSweep sweep(parts, settings, grid, table);
-  parallelFor(sweep.intervals(), threads, [&](int i) { sweep.solve(i, all); });
+  parallelFor(sweep.intervals(), threads, [&](std::size_t i) { sweep.solve(i, all); });
   return table;
 }
 

@@ -8,14 +8,14 @@ enum class Formulation {
   Potential,  ///< ½φ + ∫φ ∂G/∂n_ξ = ∫G v, Green's identity on the hull
   Source      ///< Dσ = v, φ = Eσ, the report's                                  [M03] (49)-(51)
 };
-inline constexpr Words<2> kFormulationWords{"potential", "source"};
+inline constexpr EnumNames<2> kFormulationNames{"potential", "source"};
 
 /// How ∂φ/∂x comes from the solution.
 enum class Derivatives {
   Stokes,  ///< Stokes' theorem on each panel (XDerivative.h)
   Source  ///< ∂φ/∂x = Hσ, the report's; with Formulation::Source only         [M03] (51)-(54)
 };
-inline constexpr Words<2> kDerivativesWords{"stokes", "source"};
+inline constexpr EnumNames<2> kDerivativesNames{"stokes", "source"};
 
 /// How diffraction forces off the frequency grid are had.
 enum class Influence {
@@ -24,6 +24,6 @@ enum class Influence {
   Matrix,   ///< influence matrices interpolated between grid frequencies        [M03] (80)-(83)
   Inverse   ///< their inverses interpolated; wrong near irregular frequencies   [M03] (84)-(87)
 };
-inline constexpr Words<4> kInfluenceWords{"adjoint", "direct", "interpolated", "inverse"};
+inline constexpr EnumNames<4> kInfluenceNames{"adjoint", "direct", "interpolated", "inverse"};
 
 }  // namespace cutwater

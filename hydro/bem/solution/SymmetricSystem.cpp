@@ -3,13 +3,13 @@
 namespace cutwater {
 
 template <typename Scalar>
-SymmetricSystem<Scalar>::SymmetricSystem(Systems systems, int parities, Factors room)
+SymmetricSystem<Scalar>::SymmetricSystem(Systems systems, int parities, Factors workspace)
     : parities_(parities), isSource_(systems[0].formulation == Formulation::Source) {
   for (std::size_t p = 0; p < static_cast<std::size_t>(parities); ++p) {
     right_[p] = std::move(systems[p].R);
     derivative_[p] = std::move(systems[p].H);
     left_[p] = {{1.0, std::make_shared<Factorization<Scalar>>(std::move(systems[p].L),
-                                                              std::move(room[p]))}};
+                                                              std::move(workspace[p]))}};
   }
 }
 
@@ -102,14 +102,14 @@ typename SymmetricSystem<Scalar>::Matrix SymmetricSystem<Scalar>::bothAdjoints(
 }
 
 template <typename Scalar>
-typename SymmetricSystem<Scalar>::Room SymmetricSystem<Scalar>::release() && {
-  Room room;
+typename SymmetricSystem<Scalar>::Workspace SymmetricSystem<Scalar>::release() && {
+  Workspace workspace;
   for (std::size_t p = 0; p < static_cast<std::size_t>(parities_); ++p) {
     auto [matrix, factors] = std::move(*left_[p].front().factors).release();
-    room.systems[p] = {std::move(matrix), std::move(right_[p]), std::move(derivative_[p])};
-    room.factors[p] = std::move(factors);
+    workspace.systems[p] = {std::move(matrix), std::move(right_[p]), std::move(derivative_[p])};
+    workspace.factors[p] = std::move(factors);
   }
-  return room;
+  return workspace;
 }
 
 template <typename Scalar>

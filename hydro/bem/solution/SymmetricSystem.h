@@ -20,13 +20,13 @@ class SymmetricSystem {
   using Systems = std::array<InfluenceSystem<Scalar>, 2>;
   using Factors = std::array<typename Factorization<Scalar>::LowMatrix, 2>;
   /// What an earlier frequency leaves, to be written over.
-  struct Room {
+  struct Workspace {
     Systems systems;
     Factors factors;
   };
 
   /// @param systems indexed by Parity.  @param parities 1 or 2.
-  SymmetricSystem(Systems systems, int parities, Factors room = {});
+  SymmetricSystem(Systems systems, int parities, Factors workspace = {});
 
   /// What lies between two systems of the same hull if R, H and the inverse of L are linear there:
   /// (1 − t)a + tb.                                                         [M03] (84)-(87)
@@ -48,7 +48,7 @@ class SymmetricSystem {
   /// b with bᵀ v = wᵀ ∂φ/∂x: L⁻ᵀ Hᵀ w.  @pre hasXDerivative().
   Matrix xAdjoints(Parity parity, const Matrix& w) const;
   /// Takes the matrices back. Nothing else may be called afterwards.
-  Room release() &&;
+  Workspace release() &&;
   /// Of L; of a mean of inverses that of its first part.
   double condition(Parity parity) const;
 
