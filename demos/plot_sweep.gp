@@ -6,7 +6,8 @@ set output out
 # Below an encounter frequency of 0.1 rad/s the theory has no surge, sway and yaw: left out.
 of(file, mode) = sprintf("< awk -F, '$3 == %d && ($2 >= 0.1 || $2 <= -0.1)' '%s'", mode, file)
 modes = "surge sway heave roll pitch yaw"
-set multiplot layout 4,3 title 'Regular waves, heading '.name.': Bullet (points) and frequency domain (lines)'
+set multiplot layout 4,3 \
+    title 'Regular waves, heading '.name.': Bullet (points) and frequency domain (lines)'
 set grid lc rgb '#dddddd'
 set key top right samplen 1.5
 set xlabel 'wave frequency [rad/s]'
@@ -20,7 +21,8 @@ do for [half=0:1] {
       if (kind == 0) {
         set ylabel (angle ? 'amplitude [deg/m]' : 'amplitude [m/m]')
         set yrange [0:*]
-        plot of(rao, j) using 1:($4*scale) with lines lw 1.5 lc rgb '#1f77b4' title 'frequency domain', \
+        plot of(rao, j) using 1:($4*scale) with lines lw 1.5 lc rgb '#1f77b4' \
+                 title 'frequency domain', \
              of(in, j) using 1:($4*scale) with points pt 7 ps 0.8 lc rgb '#d62728' title 'Bullet'
       } else {
         set ylabel 'phase [deg]'

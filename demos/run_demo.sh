@@ -10,11 +10,12 @@ cutwater=$build/cutwater
 database=$out/frigate.h5
 say() { printf '\n== %s\n' "$*"; }
 
-if [ -e "$database" ] && [ "$database" -nt "$cutwater" ] && [ "$database" -nt "$root/meshes/frigate/ship.toml" ]; then
+ship=$root/meshes/frigate/ship.toml
+if [ -e "$database" ] && [ "$database" -nt "$cutwater" ] && [ "$database" -nt "$ship" ]; then
   say "database is there: $database"
 else
   say "solve: frigate, 433 panels a side, 60 frequencies, 13 headings"
-  "$cutwater" solve "$root/meshes/frigate/ship.toml" -o "$database"
+  "$cutwater" solve "$ship" -o "$database"
 fi
 "$cutwater" info "$database" | head -n 12
 
@@ -22,17 +23,22 @@ say "simulate: irregular sea from 150 deg, ten minutes in Bullet"
 "$cutwater" simulate "$root/demos/runs/irregular_150.toml" -o "$out/run.csv"
 gnuplot -e "in='$out/run.csv'; out='$out/run.png'" "$root/demos/plot_run.gp"
 
+# sweep_and_plot NAME BETA SPEED TITLE: Bullet's points and the frequency domain's lines.
+sweep_and_plot() {
+  local name=$1 beta=$2 speed=$3 title=$4
+  "$cutwater" sweep "$root/demos/runs/sweep_$name.toml" -o "$out/sweep_$name.csv"
+  "$cutwater" rao "$database" --speed "$speed" --heading "$beta" --omega 0.2:2:361 \
+    -o "$out/rao_$name.csv"
+  gnuplot -e "in='$out/sweep_$name.csv'; rao='$out/rao_$name.csv'; out='$out/sweep_$name.png'" \
+    -e "name='$title'" "$root/demos/plot_sweep.gp"
+}
 for beta in 030 090 150 180; do
   say "sweep: regular waves, heading ${beta#0} deg, Bullet beside the frequency domain"
-  "$cutwater" sweep "$root/demos/runs/sweep_$beta.toml" -o "$out/sweep_$beta.csv"
-  "$cutwater" rao "$database" --heading "${beta#0}" --omega 0.2:2:361 -o "$out/rao_$beta.csv"
-  gnuplot -e "in='$out/sweep_$beta.csv'; rao='$out/rao_$beta.csv'; out='$out/sweep_$beta.png'; name='${beta#0} deg'" "$root/demos/plot_sweep.gp"
+  sweep_and_plot "$beta" "${beta#0}" 0 "${beta#0} deg"
 done
 for beta in 030 150; do
   say "sweep: regular waves at 20 knots, heading ${beta#0} deg"
-  "$cutwater" sweep "$root/demos/runs/sweep_20kn_$beta.toml" -o "$out/sweep_20kn_$beta.csv"
-  "$cutwater" rao "$database" --speed 10.2889 --heading "${beta#0}" --omega 0.2:2:361 -o "$out/rao_20kn_$beta.csv"
-  gnuplot -e "in='$out/sweep_20kn_$beta.csv'; rao='$out/rao_20kn_$beta.csv'; out='$out/sweep_20kn_$beta.png'; name='${beta#0} deg, 20 knots'" "$root/demos/plot_sweep.gp"
+  sweep_and_plot "20kn_$beta" "${beta#0}" 10.2889 "${beta#0} deg, 20 knots"
 done
 cp "$out/sweep_150.csv" "$out/sweep.csv"
 cp "$out/sweep_150.png" "$out/sweep.png"

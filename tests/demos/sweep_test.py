@@ -1,8 +1,9 @@
-"""sweep_test.py COMMAND DATABASE ROOT: regular waves in Bullet give the motions of the frequency domain.
+"""sweep_test.py COMMAND DATABASE ROOT: regular waves in Bullet against the frequency domain.
 
-Default: the coarse frigate, a few waves, two headings. With CUTWATER_FULL: demos/runs, the frigate of 433 panels, 19 waves at
-four headings. Bounds (acceptance): amplitude 1 % of each mode's peak over the sweep, phase 3 degrees where the amplitude is
-above 20 % of the peak, absent modes in head seas below 1e-3 (m/m, rad/m).
+Default: the coarse frigate, a few waves, two headings. With CUTWATER_FULL: demos/runs, the frigate
+of 433 panels, 19 waves at four headings. Bounds (acceptance): amplitude 1 % of each mode's peak
+over the sweep, phase 3 degrees where the amplitude is above 20 % of the peak, absent modes in head
+seas below 1e-3 (m/m, rad/m).
 """
 import csv
 import os
@@ -35,8 +36,10 @@ def check(table, beta):
             if not largest < 1e-3:
                 wrong.append(what + f"{largest} instead of nothing")
             continue
-        amplitude = 100 * max(abs(r["time_amplitude"] - r["freq_amplitude"]) for r in of_mode) / peak
-        phases = [r["time_phase_deg"] - r["freq_phase_deg"] for r in of_mode if r["freq_amplitude"] > 0.2 * peak]
+        off = max(abs(row["time_amplitude"] - row["freq_amplitude"]) for row in of_mode)
+        amplitude = 100 * off / peak
+        phases = [row["time_phase_deg"] - row["freq_phase_deg"]
+                  for row in of_mode if row["freq_amplitude"] > 0.2 * peak]
         phase = max(abs((p + 180) % 360 - 180) for p in phases)
         record("6 Commands", what + "amplitude [% of peak]", "frequency domain", amplitude, "1")
         record("6 Commands", what + "phase [deg]", "frequency domain", phase, "3")
@@ -57,7 +60,8 @@ def main():
         text = open(os.path.join(root, "demos/runs", name), encoding="utf-8").read()
         text = text.replace("../../out/demo/frigate.h5", database)
         if not FULL:
-            text = text.replace("omega = { from = 0.2, to = 2.0, step = 0.1 }", "omega = [0.4, 0.7, 1.0, 1.5]")
+            text = text.replace("omega = { from = 0.2, to = 2.0, step = 0.1 }",
+                                "omega = [0.4, 0.7, 1.0, 1.5]")
         with open(name, "w", encoding="utf-8") as file:
             file.write(text)
         run(command, "sweep", name, "-o", f"sweep_{beta:03d}.csv")

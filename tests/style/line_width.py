@@ -1,7 +1,7 @@
 """line_width.py ROOT: no line of a source or script, comments included, is longer than 100 columns.
 
-Characters are counted, not bytes: a formula's letters count one each. Prose (*.md) may have long lines,
-for its tables.
+Characters are counted, not bytes: a formula's letters count one each. Prose (*.md) may have long
+lines, for its tables.
 """
 import sys
 

@@ -1,9 +1,9 @@
 """prose_names.py ROOT: what the prose names is there.
 
-In every *.md: files and folders, links, numbers of decisions, test suites and tests, constants (kName), and in
-code every identifier with a capital or an underscore inside and every --option, must exist. In
-comments of .h and .cpp: files and constants. The CHANGELOG and decisions that were superseded tell
-of the past; there only links count.
+In every *.md: files and folders, links, numbers of decisions, test suites and tests, constants
+(kName), and in code every identifier with a capital or an underscore inside and every --option,
+must exist. In comments of .h and .cpp: files and constants. The CHANGELOG and decisions that were
+superseded tell of the past; there only links count.
 """
 import os
 import re

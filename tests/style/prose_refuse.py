@@ -12,7 +12,7 @@ import prose_names
 
 TREE = {
     "run": "usage --full\n",
-    "hydro/bem/Lid.h": "constexpr double kFarRatio = 12.0;\nclass RankinePanel { int radius(); };\n",
+    "hydro/bem/Lid.h": "constexpr double kFarRatio = 12.0;\nclass RankinePanel { int area(); };\n",
     "tests/bem/lid_test.cpp": "TEST(LidIdentity, IsFlat) {}\n",
     "hydro/decisions/0001-a-lid.md": "Status: current.\n",
     "hydro/decisions/0002-no-lid.md": "Status: superseded by 0001. It was in `Gone.h`.\n",
@@ -20,12 +20,15 @@ TREE = {
 }
 
 RIGHT = (
-    "`Lid.h`", "`bem/Lid.h`", "hydro/bem/Lid.h", "`hydro/bem/`", "[lid](hydro/bem/Lid.h)", "`lid_*.cpp`",
+    "`Lid.h`", "`bem/Lid.h`", "hydro/bem/Lid.h", "`hydro/bem/`", "[lid](hydro/bem/Lid.h)",
+    "`lid_*.cpp`",
     "LidIdentity.IsFlat", "`LidIdentity.*`", "`LidIdentity.Is…`", "12 radii (kFarRatio)",
-    "`RankinePanel::radius`", "`./run test --full`", "decision 0001", "`DB.h5`, `SHIP.toml`",
-    "`build/bem/Lid2.h`", "`btRigidBody::setMassProps`, of Bullet", "\n```cpp\nRankinePanel lid;\n```\n")
+    "`RankinePanel::area`", "`./run test --full`", "decision 0001", "`DB.h5`, `SHIP.toml`",
+    "`build/bem/Lid2.h`", "`btRigidBody::setMassProps`, of Bullet",
+    "\n```cpp\nRankinePanel lid;\n```\n")
 WRONG = (
-    "`Lit.h`", "`green/Lid.h`", "hydro/green/Lid.h", "`hydro/gren/`", "[lid](hydro/Lid.h)", "`lit_*.cpp`",
+    "`Lit.h`", "`green/Lid.h`", "hydro/green/Lid.h", "`hydro/gren/`", "[lid](hydro/Lid.h)",
+    "`lit_*.cpp`",
     "LidIdentity.IsRound", "`LitIdentity.*`", "`LidIdentity.Was…`", "20 radii (kNearRadii)",
     "`RankinePanel::width`", "`RankinPanel`", "`./run test --whole`", "decision 0003",
     "`far_ratio_of`", "\n```cpp\nRankinPanel lid;\n```\n", "\n    RankinPanel lid;\n")

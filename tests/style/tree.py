@@ -8,7 +8,7 @@ PROSE = (".md",)
 
 
 def files(root, endings):
-    """Paths from the root of all files with one of these endings; scripts without any count as .sh."""
+    """Paths from the root of the files with one of these endings; `run` counts as .sh."""
     found = [name for name in os.listdir(root) if os.path.isfile(os.path.join(root, name))]
     for folder in FOLDERS:
         for where, folders, names in os.walk(os.path.join(root, folder)):

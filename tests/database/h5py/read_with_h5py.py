@@ -1,4 +1,4 @@
-"""Reads a database as any BEMIO reader would and compares it, number by number, with the same ship as text.
+"""Reads a database as any BEMIO reader would and compares it with the same ship as text.
 
 Usage: read_with_h5py.py WRITER FOLDER; WRITER FOLDER writes ship.h5 and ship.csv there first.
 Everything here is worked out anew from the layout's own rules (dimensional = stored x factor; waves
@@ -76,18 +76,20 @@ def check_radiation(h5, text, rho, g, w):
 
 
 def expected_excitation(text, h5, name, w, g):
-    """(6, headings, frequencies), in the file's order of headings, crest moved from G to the origin."""
+    """(6, headings, frequencies), headings as in the file, crest moved from G to the origin."""
     beta = np.array([text["beta"][(h, 0, 0)].real for h in range(len(text["beta"]))])
     x, y = text["cg"][(0, 0, 0)].real, text["cg"][(0, 1, 0)].real
     directions = h5["simulation_parameters/wave_dir"][:, 0]
-    assert np.all(np.diff(directions) > 0) and np.all(directions > -180) and np.all(directions <= 180)
+    assert np.all(np.diff(directions) > 0)
+    assert np.all(directions > -180) and np.all(directions <= 180)
     out = np.empty((6, len(directions), len(w)), complex)
     for column, direction in enumerate(directions):
         towards = np.radians(direction)
         gap = np.abs(np.exp(1j * -beta) - np.exp(1j * towards))
         h = int(np.argmin(gap))
         assert gap[h] < 1e-12, "no such heading"
-        # A crest over the origin reaches G, x cos + y sin further along its way, later by k times that.
+        # A crest over the origin reaches G, x cos + y sin further along its way, later by k times
+        # that.
         lag = np.exp(-1j * w**2 / g * (x * np.cos(towards) + y * np.sin(towards)))
         for j in range(6):
             out[j, column] = lag * np.array([text[name][(i, j + 1, h)] for i in range(len(w))])
@@ -112,7 +114,7 @@ def check_excitation(h5, text, rho, g, w):
 
 
 def check_response(response, force, w):
-    """f(t) = (1/pi) Int (re cos wt - im sin wt) dw on the file's own grid of w, by the trapezoidal rule."""
+    """f(t) = (1/pi) Int (re cos wt - im sin wt) dw on the file's own w, by the trapezoidal rule."""
     fine, t, f = response["w"][:, 0], response["t"][:, 0], response["f"][()]
     assert fine[0] == 0 and np.isclose(fine[-1], w[-1]) and np.allclose(t, -t[::-1])
     # five-point data: the cubic through the four nodes around each fine frequency
