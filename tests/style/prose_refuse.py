@@ -58,6 +58,7 @@ class Refuse(unittest.TestCase):
 
     def test_wide_lines_are_refused_and_characters_are_counted(self):
         self.assertEqual(planted(line_width, "plugin/Ship.h", "//" + "ω" * 98), [])
+        self.assertEqual(planted(line_width, "plugin/Ship.h", "//" + "η̇" * 98), [])
         self.assertEqual(len(planted(line_width, "plugin/Ship.h", "//" + "ω" * 99)), 1)
         self.assertEqual(len(planted(line_width, "tests/CMakeLists.txt", "#" * 101)), 1)
 
