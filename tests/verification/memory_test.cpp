@@ -61,7 +61,8 @@ double worstIntegral(const RetardationMatrix& memory) {
   return worst;
 }
 
-void record(const std::string& mesh, const Distance& d, const RetardationMatrix& memory) {
+void record(const std::string& mesh, const Distance& d, const RetardationMatrix& memory,
+            const std::string& bound) {
   for (int j = 0; j < 6; ++j)
     for (int k = j; k < 6; ++k) {
       if (memory.isZero(j, k)) continue;
@@ -70,7 +71,7 @@ void record(const std::string& mesh, const Distance& d, const RetardationMatrix&
                    "frigate " + mesh + ", A" + pair +
                        "(inf) from A and B at 0.3 to 4 rad/s, worst, % of " +
                        (j == k ? "A" + pair + "(inf)" : "sqrt(Ajj Akk)"),
-                   "the solver's own at omega = inf", 100.0 * d.worst(j, k), "<= 0.5");
+                   "the solver's own at omega = inf", 100.0 * d.worst(j, k), bound);
     }
 }
 
@@ -101,8 +102,8 @@ std::vector<double> fineGrid() {
   return omega;
 }
 
-// 0.5 % is the acceptance line, which 1040 panels keep in every pair; 433 panels, whose uppermost
-// row is half as deep again, show the same distance larger.
+// 0.5 % is the acceptance line, which 1040 panels keep in every pair. The uppermost row of 433 panels is
+// half as deep again; they show the same distance larger, which is recorded without a bound.
 TEST(MemoryVerification, FrigateGivesItsAddedMassAtInfinity) {
   if (!fullSize()) GTEST_SKIP() << "full size only";
   double before = 1.0;
@@ -112,7 +113,7 @@ TEST(MemoryVerification, FrigateGivesItsAddedMassAtInfinity) {
     const RetardationMatrix memory(c);
     const std::string mesh = std::to_string(panels) + " a side";
     const Distance d = distance(c, memory, 4.0);
-    record(mesh, d, memory);
+    record(mesh, d, memory, panels == 1040 ? "<= 0.5" : "none");
     const double integral = worstIntegral(memory);
     recordResult("memory", "frigate " + mesh + ", worst |int K|/int |K|, %", "0", 100.0 * integral,
                  "<= 0.5");
