@@ -131,9 +131,15 @@ int AddedMassConstraint::iterationsFor(double tolerance) const noexcept {
   return std::max(1, static_cast<int>(std::ceil(std::log(tolerance) / std::log(l / (1.0 + l)))));
 }
 
+void AddedMassConstraint::setActive(bool on) noexcept {
+  if (on && !active_) forgetPast();
+  active_ = on;
+  feedback_ = {};
+}
+
 void AddedMassConstraint::getInfo1(btConstraintInfo1* info) {
-  info->m_numConstraintRows = count_;
-  info->nub = 6 - count_;
+  info->m_numConstraintRows = active_ ? count_ : 0;
+  info->nub = 6 - info->m_numConstraintRows;
 }
 
 // What the tick will have added to v⁻ before the solver's own impulses: impulses applied since the

@@ -49,6 +49,8 @@ class AddedMassConstraint final : public btTypedConstraint {
   /// V [units/s] in the world's axes at the last solve, and the turn of the mean heading since [rad] about
   /// `up`. Call each tick before the solve; without it V = 0 and nothing turns.
   void setMean(const btVector3& velocity, double turn, const btVector3& up) noexcept;
+  /// Off: it applies nothing until it is on again, when what happened before is not felt.
+  void setActive(bool on) noexcept;
   /// Takes the velocity that the solver has just left, whatever actions did to the body since.
   void endTick() noexcept;
   /// Makes v⁻ the body's velocity as it is: what happened before is not felt by A∞.
@@ -96,7 +98,7 @@ class AddedMassConstraint final : public btTypedConstraint {
   btMatrix3x3 pastAxes_;        // of v⁻
   btMatrix3x3 solved_;          // of the solve under way
   btMatrix3x3 followed_;        // the caller's
-  bool follows_ = false;
+  bool follows_ = false, active_ = true;
   Vec3 mean_ = Vec3::Zero();          // V in E
   Mat3 meanTurn_ = Mat3::Identity();  // Q
   bool turns_ = false;

@@ -1,6 +1,6 @@
 #include "plugin/Recorder.h"
 
-#include <array>
+#include <algorithm>
 #include <cstdio>
 
 #include "hydro/Errors.h"
@@ -12,44 +12,50 @@ namespace {
 
 constexpr double kDegrees = 180.0 / kPi;
 
-struct Part {
-  const char* name;
-  Vec6 ForceParts::*value;
-};
-
-constexpr std::array<Part, 7> kParts{{{"gravity", &ForceParts::gravity},
-                                      {"restoring", &ForceParts::restoring},
-                                      {"froude_krylov", &ForceParts::froudeKrylov},
-                                      {"diffraction", &ForceParts::diffraction},
-                                      {"radiation", &ForceParts::radiation},
-                                      {"added_mass", &ForceParts::addedMass},
-                                      {"supplementary", &ForceParts::supplementary}}};
-
-std::vector<std::string> columnNames(bool forces) {
-  std::vector<std::string> names{"t", "x", "y", "z", "roll_deg", "pitch_deg", "yaw_deg",
-                                 "u", "v", "w", "p", "q",        "r",         "wave"};
-  if (!forces) return names;
-  for (const Part& part : kParts) {
-    for (int j = 1; j <= 6; ++j) names.push_back(std::string(part.name) + "_F" + std::to_string(j));
-  }
-  return names;
-}
+const std::vector<std::string> kMotionColumns{
+    "t", "x", "y", "z", "roll_deg", "pitch_deg", "yaw_deg", "u", "v", "w", "p", "q", "r", "wave"};
 
 }  // namespace
 
 Recorder::Recorder(Seaway& seaway, const Ship& ship, RecorderSettings settings)
-    : seaway_(seaway), ship_(ship), settings_(settings), names_(columnNames(settings.forces)) {
+    : seaway_(seaway), ship_(ship), settings_(settings), names_(kMotionColumns) {
   if (settings.every < 1) {
     throw HydroError(Fault::ValueOutOfRange,
                      "Recorder: every is less than 1: " + std::to_string(settings.every));
   }
+  if (settings.forces) matchParts();
   seaway_.addObserver(*this);
 }
 
 Recorder::~Recorder() { seaway_.removeObserver(*this); }
 
+// Columns are only ever added, at the end, so that the rows before need but zeros.
+void Recorder::addColumns(const std::string& part) {
+  const std::size_t before = names_.size(), after = before + 6, count = rows();
+  parts_.push_back(part);
+  for (int j = 1; j <= 6; ++j) names_.push_back(part + "_F" + std::to_string(j));
+  if (count == 0) return;
+  std::vector<double> wider(count * after, 0.0);
+  for (std::size_t row = 0; row < count; ++row) {
+    std::copy_n(numbers_.data() + row * before, before, wider.data() + row * after);
+  }
+  numbers_ = std::move(wider);
+}
+
+void Recorder::matchParts() {
+  if (ship_.partsKey() == partsKey_) return;
+  partsKey_ = ship_.partsKey();
+  places_.clear();
+  for (const std::string_view part : ship_.parts()) {
+    const auto found = std::find(parts_.begin(), parts_.end(), part);
+    places_.push_back(static_cast<std::size_t>(found - parts_.begin()));
+    if (found == parts_.end()) addColumns(std::string(part));
+  }
+}
+
 void Recorder::tickDone(const Seaway&) noexcept {
   if (ticks_++ % static_cast<std::size_t>(settings_.every) != 0) return;
+  if (settings_.forces) matchParts();
   const TickRecord& tick = ship_.lastTick();
   const auto put = [this](const auto& values) {
     for (const double value : values) numbers_.push_back(value);
@@ -60,7 +66,11 @@ void Recorder::tickDone(const Seaway&) noexcept {
   put(tick.velocity);
   numbers_.push_back(seaway_.sea().elevation(tick.time, tick.position.x(), tick.position.y()));
   if (!settings_.forces) return;
-  for (const Part& part : kParts) put(tick.forces.*part.value);
+  const std::size_t first = numbers_.size();
+  numbers_.resize(first + 6 * parts_.size(), 0.0);
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    std::copy_n(tick.loads[i].data(), 6, numbers_.data() + first + 6 * places_[i]);
+  }
 }
 
 std::string Recorder::csv() const {

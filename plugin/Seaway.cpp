@@ -5,6 +5,10 @@
 #include <string>
 
 #include "hydro/Errors.h"
+#include "hydro/forces/Hydrodynamics.h"
+#include "hydro/forces/SeaTables.h"
+#include "plugin/ThreadPool.h"
+#include "plugin/WorldHook.h"
 
 CUTWATER_PLUGIN_BEGIN
 
@@ -40,8 +44,24 @@ WorldFrame checked(const WorldFrame& frame) {
 
 }  // namespace
 
+class Seaway::Listener final : public TickListener {
+ public:
+  explicit Listener(Seaway& seaway) : seaway_(seaway) {}
+  void beforeTick(btScalar step) noexcept override { seaway_.beforeTick(step); }
+  void afterTick(btScalar step) noexcept override { seaway_.afterTick(step); }
+  void slotTaken() noexcept override { seaway_.faults_ |= kCallbackReplaced; }
+  void draw(btIDebugDraw& drawer) noexcept override { seaway_.debugDraw(drawer); }
+
+ private:
+  Seaway& seaway_;
+};
+
 Seaway::Seaway(btDiscreteDynamicsWorld& world, SeaState sea, const WorldFrame& frame)
-    : world_(checked(world)), sea_(std::move(sea)), frame_(checked(frame)), hook_(world, *this) {}
+    : world_(checked(world)),
+      sea_(std::make_shared<const SeaState>(std::move(sea))),
+      frame_(checked(frame)),
+      listener_(std::make_unique<Listener>(*this)),
+      hook_(std::make_unique<WorldHook>(world, *listener_)) {}
 
 Seaway::~Seaway() = default;
 
@@ -53,35 +73,48 @@ void Seaway::setThreads(unsigned threads) {
   pool_ = threads > 1 ? std::make_unique<ThreadPool>(threads) : nullptr;
 }
 
-std::shared_ptr<ShipModel> Seaway::modelOf(const Coefficients& coefficients) {
-  for (const auto& model : models_) {
-    if (&model->coefficients() == &coefficients) return model;
+std::shared_ptr<const SeaTables> Seaway::tablesOf(
+    std::shared_ptr<const Hydrodynamics> hydrodynamics) {
+  for (const auto& tables : tables_) {
+    if (tables->hydrodynamics() == hydrodynamics) return tables;
   }
-  return models_.emplace_back(std::make_shared<ShipModel>(coefficients, sea_));
+  return tables_.emplace_back(std::make_shared<const SeaTables>(std::move(hydrodynamics), sea_));
 }
 
-Ship& Seaway::add(const Coefficients& coefficients, const ShipSettings& settings,
+Ship& Seaway::add(std::shared_ptr<const Hydrodynamics> hydrodynamics, const ShipSettings& settings,
                   btRigidBody* own) {
+  if (!hydrodynamics) {
+    throw HydroError(Fault::BadArgument, "Seaway::addShip: no hydrodynamics (null pointer)");
+  }
   checkGravity(world_.getGravity(), frame_);
   ships_.reserve(ships_.size() + 1);
   shipFaults_.resize(ships_.size() + 1);
   return *ships_.emplace_back(
-      std::make_unique<Ship>(world_, frame_, modelOf(coefficients), settings, own));
+      std::make_unique<Ship>(world_, frame_, tablesOf(std::move(hydrodynamics)), settings, own));
 }
 
-Ship& Seaway::addShip(const Coefficients& coefficients, const ShipSettings& settings) {
-  return add(coefficients, settings, nullptr);
-}
-
-Ship& Seaway::addShip(const Coefficients& coefficients, btRigidBody& body,
+Ship& Seaway::addShip(std::shared_ptr<const Hydrodynamics> hydrodynamics,
                       const ShipSettings& settings) {
-  return add(coefficients, settings, &body);
+  return add(std::move(hydrodynamics), settings, nullptr);
 }
 
-// A model goes with its last ship: its coefficients need not live any longer.
+Ship& Seaway::addShip(std::shared_ptr<const Hydrodynamics> hydrodynamics, btRigidBody& body,
+                      const ShipSettings& settings) {
+  return add(std::move(hydrodynamics), settings, &body);
+}
+
+Ship& Seaway::addShip(Coefficients coefficients, const ShipSettings& settings) {
+  return add(std::make_shared<const Hydrodynamics>(std::move(coefficients)), settings, nullptr);
+}
+
+Ship& Seaway::addShip(Coefficients coefficients, btRigidBody& body, const ShipSettings& settings) {
+  return add(std::make_shared<const Hydrodynamics>(std::move(coefficients)), settings, &body);
+}
+
+// The tables of a sea go with their last ship; Hydrodynamics live as long as somebody holds them.
 void Seaway::removeShip(Ship& ship) {
   std::erase_if(ships_, [&](const auto& owned) { return owned.get() == &ship; });
-  std::erase_if(models_, [](const auto& model) { return model.use_count() == 1; });
+  std::erase_if(tables_, [](const auto& tables) { return tables.use_count() == 1; });
 }
 
 btVector3 Seaway::waterAt(const btVector3& place) const noexcept {
@@ -145,9 +178,5 @@ void Seaway::afterTick(btScalar step) noexcept {
   for (TickObserver* observer : observers_) observer->tickDone(*this);
   time_ += static_cast<double>(step);
 }
-
-void Seaway::slotTaken() noexcept { faults_ |= kCallbackReplaced; }
-
-void Seaway::draw(btIDebugDraw& drawer) noexcept { debugDraw(drawer); }
 
 CUTWATER_PLUGIN_END

@@ -4,12 +4,12 @@
 
 #include "hydro/Errors.h"
 #include "plugin/Ship.h"
-#include "plugin/ThreadPool.h"
-#include "plugin/WorldHook.h"
 
 CUTWATER_PLUGIN_BEGIN
 
 class Seaway;
+class ThreadPool;
+class WorldHook;
 
 /// Sees every internal tick of a Seaway, when it is over.
 class TickObserver {
@@ -23,40 +23,46 @@ class TickObserver {
 ///
 ///     btDiscreteDynamicsWorld world(...);
 ///     world.setGravity({0, 0, -9.81});   // z up, metres; other worlds: WorldFrame
-///     const auto frigate = cutwater::readCoefficients("frigate.h5");
+///     const auto frigate = cutwater::readHydrodynamics("frigate.h5");
 ///     cutwater::Seaway seaway(world, cutwater::SeaState(components, 9.81));
-///     auto& ship = seaway.addShip(frigate, {.heading = 0.5, .speed = 8, .mean = cutwater::Mean::Filtered});
-///     ship.keepSpeed({.speed = 8});
+///     auto& ship = seaway.addShip(frigate, {.start = {.heading = 0.5, .speed = 8.0},
+///                                           .model = {.mean = cutwater::Mean::Filtered}});
+///     ship.keepSpeed({.speed = 8.0});
 ///     while (running) world.stepSimulation(frame, 4, 1.0 / 60);   // ship.body() moves
 ///
 /// All loads come from one evaluation per internal tick, so results do not depend on how ticks are
-/// grouped into stepSimulation calls, nor on threads. The tick should be fixed: another length restarts the memory
-/// of radiated waves. Gravity, contacts, joints, forces, callbacks of the user work as without us;
-/// set velocities by Ship::resetVelocity. One thread at a time, as the world itself. Contacts and
-/// joints need btContactSolverInfo::m_numIterations of AddedMassConstraint::iterationsFor.
-class Seaway final : private TickListener {
+/// grouped into stepSimulation calls, nor on threads. The tick should be fixed: another length restarts
+/// the memory of radiated waves. Gravity, contacts, joints, forces, callbacks of the user work as
+/// without us; set velocities by Ship::resetVelocity. One thread at a time, as the world itself.
+/// Contacts and joints need btContactSolverInfo::m_numIterations of AddedMassConstraint::iterationsFor.
+class Seaway final {
  public:
-  /// @param world must outlive the Seaway.  @param sea is copied.
+  /// @param world must outlive the Seaway.
   /// @throws HydroError SolverNotSupported: btMLCPSolver treats a constraint whose two bodies are one as
   ///         two bodies and ignores its softness, so that M + A∞ would be wrong in contacts;
   ///         BadArgument: the world has a Seaway; ValueOutOfRange: frame.
   explicit Seaway(btDiscreteDynamicsWorld& world, SeaState sea = {}, const WorldFrame& frame = {});
   /// Takes its ships out and leaves the world's callback as it was found.
-  ~Seaway() override;
+  ~Seaway();
+  Seaway(const Seaway&) = delete;
+  Seaway& operator=(const Seaway&) = delete;
 
-  /// A new ship at its mean course. @param coefficients must outlive the ship; another mass
+  /// A new ship at its mean course. Ships that are given the same Hydrodynamics share it; another mass
   /// distribution on the same waterline is withLoading(coefficients, …) of database/ChangeOfLoading.h.
-  /// @throws HydroError ValueOutOfRange: gravity not along −z or zero, mass or gyradii not
-  /// positive, a
-  ///         wave outside the database; DatabaseIncomplete: no hull in it and no shape given. Nothing has
-  ///         changed then.
-  Ship& addShip(const Coefficients& coefficients, const ShipSettings& settings = {});
-  /// The user's own body, already in the world, origin in G, axes B; the database's mass within 0.1
-  /// %. Its pose becomes the mean course (x, y, heading); of `settings` only `restrained` is used.
-  Ship& addShip(const Coefficients& coefficients, btRigidBody& body,
+  /// @throws HydroError ValueOutOfRange: gravity not along −z or zero, mass or gyradii not positive, a
+  ///         wave outside the database; DatabaseIncomplete: no hull in it and no shape given;
+  ///         BadArgument: a null pointer, an unknown part in `without`. Nothing has changed then.
+  Ship& addShip(std::shared_ptr<const Hydrodynamics> hydrodynamics,
                 const ShipSettings& settings = {});
-  Ship& addShip(Coefficients&&, const ShipSettings& = {}) = delete;  // would dangle
-  Ship& addShip(Coefficients&&, btRigidBody&, const ShipSettings& = {}) = delete;
+  /// The user's own body, already in the world, origin in G, axes B; the database's mass within 0.1 %.
+  /// Its pose becomes the mean course (x, y, heading). Of `settings.start` only the speed is used, of
+  /// `settings.collision` nothing.
+  Ship& addShip(std::shared_ptr<const Hydrodynamics> hydrodynamics, btRigidBody& body,
+                const ShipSettings& settings = {});
+  /// The same for one ship that shares with no other: Hydrodynamics of its own are made of `coefficients`
+  /// (a copy: temporaries may be passed), some tenths of a second for each call.
+  Ship& addShip(Coefficients coefficients, const ShipSettings& settings = {});
+  Ship& addShip(Coefficients coefficients, btRigidBody& body, const ShipSettings& settings = {});
   /// Ends the hydrodynamics of a ship; a body we made leaves the world.
   void removeShip(Ship& ship);
   const std::vector<std::unique_ptr<Ship>>& ships() const noexcept { return ships_; }
@@ -65,20 +71,20 @@ class Seaway final : private TickListener {
 
   /// Sum of all ticks [s] since the Seaway joined the world.
   double time() const noexcept { return time_; }
-  const SeaState& sea() const noexcept { return sea_; }
+  const SeaState& sea() const noexcept { return *sea_; }
   const WorldFrame& frame() const noexcept { return frame_; }
   /// ζ [m] at x, y in E, now.
-  double waveHeight(double x, double y) const noexcept { return sea_.elevation(time_, x, y); }
+  double waveHeight(double x, double y) const noexcept { return sea_->elevation(time_, x, y); }
   /// The water's surface above or below a point of the world, in the world's units and axes.
   btVector3 waterAt(const btVector3& place) const noexcept;
 
-  /// StepFault bits of all ticks since clearFaults(), of all ships.
+  /// StepFault bits of all ticks since clearFaults(), of all ships. Ship::brokenPart names a part.
   std::uint32_t faults() const noexcept { return faults_; }
   void clearFaults() noexcept { faults_ = kStepOk; }
 
   /// Exact state of time and ships, in their order: going on from it gives the same bits, if contacts are
-  /// forgotten both when it is taken and when it is restored (or there are none). Allocates nothing when saved
-  /// into one of the same ships.   @throws HydroError BadArgument: other ships.
+  /// forgotten both when it is taken and when it is restored (or there are none). Allocates nothing when
+  /// saved into one of the same ships.   @throws HydroError BadArgument: other ships.
   struct Snapshot {
     double time = 0.0;
     std::vector<Ship::Snapshot> ships;
@@ -86,12 +92,12 @@ class Seaway final : private TickListener {
   Snapshot save() const;
   void save(Snapshot& snapshot) const;
   void restore(const Snapshot& snapshot);
-  /// Makes Bullet forget its contact points, their impulses and its solver's random state, of all bodies of
-  /// the world: what would be left of the future after a rollback.
+  /// Makes Bullet forget its contact points, their impulses and its solver's random state, of all bodies
+  /// of the world: what would be left of the future after a rollback.
   void forgetContacts();
 
-  /// Draws waterlines, forces by part (1 m for 1 % of the ship's weight) and a grid of waves around each
-  /// ship. btCollisionWorld::debugDrawWorld calls it.
+  /// Draws waterlines, the parts of the load (1 m for 1 % of the ship's weight) and a grid of waves
+  /// around each ship. btCollisionWorld::debugDrawWorld calls it.
   void debugDraw(btIDebugDraw& drawer) const;
 
   /// Observers must outlive the Seaway or be removed.
@@ -99,25 +105,27 @@ class Seaway final : private TickListener {
   void removeObserver(TickObserver& observer) noexcept;
 
  private:
-  Ship& add(const Coefficients& coefficients, const ShipSettings& settings, btRigidBody* own);
-  void beforeTick(btScalar step) noexcept override;
-  void afterTick(btScalar step) noexcept override;
-  void slotTaken() noexcept override;
-  void draw(btIDebugDraw& drawer) noexcept override;
-  std::shared_ptr<ShipModel> modelOf(const Coefficients& coefficients);
+  class Listener;  // to the world's ticks
+
+  Ship& add(std::shared_ptr<const Hydrodynamics> hydrodynamics, const ShipSettings& settings,
+            btRigidBody* own);
+  std::shared_ptr<const SeaTables> tablesOf(std::shared_ptr<const Hydrodynamics> hydrodynamics);
+  void beforeTick(btScalar step) noexcept;
+  void afterTick(btScalar step) noexcept;
 
   btDiscreteDynamicsWorld& world_;
-  SeaState sea_;
+  std::shared_ptr<const SeaState> sea_;
   WorldFrame frame_;
   double time_ = 0.0;
   btScalar step_ = 0;  // of this tick
   std::uint32_t faults_ = kStepOk;
-  std::vector<std::shared_ptr<ShipModel>> models_;
+  std::vector<std::shared_ptr<const SeaTables>> tables_;
   std::vector<std::unique_ptr<Ship>> ships_;
   std::vector<std::uint32_t> shipFaults_;  // of this tick
   std::vector<TickObserver*> observers_;
   std::unique_ptr<ThreadPool> pool_;
-  WorldHook hook_;  // last: no tick reaches us before all else is there
+  std::unique_ptr<Listener> listener_;
+  std::unique_ptr<WorldHook> hook_;  // last: no tick reaches us before all else is there
 };
 
 CUTWATER_PLUGIN_END

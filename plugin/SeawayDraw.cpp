@@ -1,36 +1,36 @@
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <iterator>
 
+#include "hydro/database/Coefficients.h"
 #include "plugin/Seaway.h"
 #include "plugin/ShipAxes.h"
+#include "plugin/ShipPart.h"
 
 CUTWATER_PLUGIN_BEGIN
 
 namespace {
 
 constexpr int kGrid = 12;             // cells of the wave grid to each side of a ship
-constexpr double kCell = 0.125;       // of her length
-constexpr double kForceScale = 0.01;  // of her weight: 1 m of arrow
+constexpr double kCell = 0.125;       // of the ship's length
+constexpr double kForceScale = 0.01;  // of its weight: 1 m of arrow
 
-const std::pair<Vec6 ForceParts::*, btVector3> kArrows[] = {
-    {&ForceParts::restoring, btVector3(0.2f, 0.4f, 1)},
-    {&ForceParts::froudeKrylov, btVector3(0, 1, 1)},
-    {&ForceParts::diffraction, btVector3(0, 1, 0)},
-    {&ForceParts::radiation, btVector3(1, 1, 0)},
-    {&ForceParts::addedMass, btVector3(1, 0.5f, 0)},
-    {&ForceParts::supplementary, btVector3(1, 0, 1)}};
+// One colour after the other in the order of the parts, so that a part has the same colour on all ships.
+const btVector3 kColours[] = {btVector3(0.2f, 0.4f, 1), btVector3(0, 1, 1),    btVector3(0, 1, 0),
+                              btVector3(1, 1, 0),       btVector3(1, 0.5f, 0), btVector3(1, 0, 1),
+                              btVector3(1, 0, 0),       btVector3(1, 1, 1)};
 
+// Gravity is drawn with what carries it, the part after it: what is left of both.
 void drawForces(btIDebugDraw& drawer, const Ship& ship, const WorldFrame& frame) {
   const ShipParticulars& p = ship.coefficients().ship;
   const double scale = 1.0 / (kForceScale * p.mass * p.gravity);
   const Mat3 course = rotationZ(ship.course().heading());
-  for (const auto& [part, colour] : kArrows) {
-    const Vec3 force = (ship.lastTick().forces.*part).head<3>();
-    const Vec3 weight = part == &ForceParts::restoring
-                            ? Vec3(ship.lastTick().forces.gravity.head<3>())
-                            : Vec3(Vec3::Zero());
-    const Vec3 tip = ship.position() + scale * (course * (force + weight));
+  const std::vector<Vec6>& loads = ship.lastTick().loads;
+  for (std::size_t i = kGravityPart + 1; i < loads.size(); ++i) {
+    Vec3 force = loads[i].head<3>();
+    if (i == kGravityPart + 1) force += loads[kGravityPart].head<3>();
+    const Vec3 tip = ship.position() + scale * (course * force);
+    const btVector3& colour = kColours[(i - 1) % std::size(kColours)];
     if (tip.allFinite()) drawer.drawLine(frame.place(ship.position()), frame.place(tip), colour);
   }
 }

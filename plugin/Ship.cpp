@@ -2,12 +2,17 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "hydro/Errors.h"
-#include "hydro/database/ForwardSpeed.h"
+#include "hydro/forces/Hydrodynamics.h"
+#include "hydro/forces/SeaTables.h"
+#include "plugin/AddedMassConstraint.h"
+#include "plugin/CourseRestraint.h"
 #include "plugin/ShipAxes.h"
 #include "plugin/ShipBody.h"
+#include "plugin/ShipPart.h"
 
 CUTWATER_PLUGIN_BEGIN
 
@@ -32,33 +37,25 @@ bool stateFinite(const btRigidBody& body) {
 }  // namespace
 
 Ship::Ship(btDiscreteDynamicsWorld& world, const WorldFrame& frame,
-           std::shared_ptr<ShipModel> model, const ShipSettings& settings, btRigidBody* own)
+           std::shared_ptr<const SeaTables> tables, const ShipSettings& settings, btRigidBody* own)
     : world_(world),
       frame_(frame),
-      model_(std::move(model)),
-      coefficients_(model_->coefficients()),
-      memoryModel_(settings.memory),
-      length_(model_->length()),
-      keel_(model_->keel()),
-      course_(settings.mean == Mean::Filtered ? settings.followTime : 0.0),
-      restoring_(coefficients_),
-      supplementary_(coefficients_.ship.supplementary, course_.follows()),
-      keepers_(coefficients_.ship, coefficients_.addedMassInf, length_) {
+      tables_(std::move(tables)),
+      course_(settings.model.mean == Mean::Filtered ? settings.model.followTime : 0.0),
+      phasors_(tables_->sea().phasorBlocks()) {
   if (own != nullptr) {
     adoptBody(*own, settings);
   } else {
     createBody(settings);
   }
-  makeExcitation(course_.heading(), course_.speed());
-  if (settings.hullLift && course_.follows()) lift_.emplace(coefficients_, length_);
-  if (settings.keepSpeed) keepSpeed(*settings.keepSpeed);
-  if (settings.keepCourse) keepCourse(*settings.keepCourse);
+  makeParts(settings);
   body_->setDamping(0, 0);
   body_->setSleepingThresholds(0, 0);
   body_->forceActivationState(DISABLE_DEACTIVATION);
   addedMass_ =
-      std::make_unique<AddedMassConstraint>(*body_, frame_.mass(coefficients_.addedMassInf));
-  const auto& held = settings.restrained;
+      std::make_unique<AddedMassConstraint>(*body_, frame_.mass(coefficients().addedMassInf));
+  switchOff(settings.model.without);
+  const auto& held = settings.model.restrained;
   if (std::find(held.begin(), held.end(), true) != held.end())
     restraint_ = std::make_unique<CourseRestraint>(*body_, held);
   startAgain();
@@ -73,36 +70,27 @@ Ship::~Ship() {
   if (ownBody_) world_.removeRigidBody(body_);
 }
 
-void Ship::createBody(const ShipSettings& s) {
-  const ShipParticulars& ship = coefficients_.ship;
-  if (s.shape == nullptr) hullShape_ = convexHull(ship, frame_);
-  if (s.shape != nullptr && s.shapeInHullAxes) compound_ = aboutG(*s.shape, ship, frame_);
-  ownBody_ = makeBody(ship, frame_, compound_ ? *compound_ : s.shape ? *s.shape : *hullShape_);
+void Ship::createBody(const ShipSettings& settings) {
+  const ShipParticulars& ship = coefficients().ship;
+  const ShipStart& start = settings.start;
+  btCollisionShape* given = settings.collision.shape;
+  if (given == nullptr) hullShape_ = convexHull(ship, frame_);
+  if (given != nullptr && settings.collision.inHullAxes) compound_ = aboutG(*given, ship, frame_);
+  ownBody_ = makeBody(ship, frame_, compound_ ? *compound_ : given ? *given : *hullShape_);
   body_ = ownBody_.get();
-  course_.reset(s.x, s.y, s.heading, s.speed);
-  body_->setCenterOfMassTransform(poseAt(s.offset));
-  const Vec6 velocity = rotated(bodyAxes(), bodyAxes(), s.velocity);
-  const Vec3 along = rotationZ(s.heading) * Vec3(s.speed, 0.0, 0.0);
+  course_.reset(start.x, start.y, start.heading, start.speed);
+  body_->setCenterOfMassTransform(poseAt(start.offset));
+  const Vec6 velocity = rotated(bodyAxes(), bodyAxes(), start.velocity);
+  const Vec3 along = rotationZ(start.heading) * Vec3(start.speed, 0.0, 0.0);
   body_->setLinearVelocity(frame_.length(Vec3(along + velocity.head<3>())));
   body_->setAngularVelocity(frame_.direction(velocity.tail<3>()));
 }
 
 void Ship::adoptBody(btRigidBody& own, const ShipSettings& settings) {
-  requireBodyOf(coefficients_.ship, frame_, own);
+  requireBodyOf(coefficients().ship, frame_, own);
   body_ = &own;
   const Vec3 at = position();
-  course_.reset(at.x(), at.y(), attitude()[2], settings.speed);
-}
-
-// On a fixed course exact, once and for all; on one that turns from the table that all ships share.
-void Ship::makeExcitation(double heading, double speed) {
-  if (!course_.follows()) {
-    excitation_.emplace(coefficients_, model_->sea(), heading, speed, usableForm(coefficients_));
-  } else if (excitation_) {
-    excitation_->renew(heading, speed);
-  } else {
-    excitation_.emplace(model_->excitation(), heading, speed);
-  }
+  course_.reset(at.x(), at.y(), attitude()[2], settings.start.speed);
 }
 
 // v⁻ is the velocity as it is; a filtered course begins at it.
@@ -110,6 +98,7 @@ void Ship::startAgain() noexcept {
   turnAddedMass(headingAxes());
   addedMass_->forgetPast();
   velocityBefore_ = velocityInEarth(body_->getLinearVelocity(), body_->getAngularVelocity());
+  lastStep_ = 0.0;
   courseBeginsHere();
   headingAtSolve_ = course_.heading();
 }
@@ -120,7 +109,7 @@ void Ship::courseBeginsHere() noexcept {
   const double heading = attitude()[2];
   const double ahead = (rotationZ(-heading) * velocityBefore_.head<3>()).x();
   course_.reset(at.x(), at.y(), heading, ahead, velocityBefore_[Yaw]);
-  if (excitation_) excitation_->renew(heading, ahead);
+  input_.courseBegins = true;
 }
 
 Mat3 Ship::toCourse() const noexcept { return rotationZ(-course_.heading()); }
@@ -128,63 +117,113 @@ Mat3 Ship::toCourse() const noexcept { return rotationZ(-course_.heading()); }
 // Bullet moves x_{n+1} = x_n + h v_{n+1}: v_n is the mean over the tick that ended at t_n, centred
 // at t_n − h/2, and (3 v_n − v_{n−1})/2 is second order at t_n. Blows since the last solve are not
 // in it.
-ShipMotion Ship::motionAt(double time, const Mat3& heading) const noexcept {
+void Ship::findMotion(TickInput& input, const Mat3& heading) const noexcept {
   const Mat3 course = toCourse(), toHeading = heading.transpose();
-  const Vec3 mean(course_.x(), course_.y(), coefficients_.ship.cog.z());
+  const Vec3 mean(course_.x(), course_.y(), coefficients().ship.cog.z());
   const Vec6 velocity =
       velocityInEarth(addedMass_->linearVelocity(), addedMass_->angularVelocity());
   Vec6 steady = Vec6::Zero();
   steady[Surge] = course_.speed();
   steady[Yaw] = course_.turnRate();
-  ShipMotion motion;
-  motion.time = time;
-  motion.eta << course * (position() - mean), eulerAngles(course * bodyAxes());
-  motion.etaDot = rotated(course, toHeading, velocity) - steady;
-  motion.etaDotNow = rotated(course, toHeading, 1.5 * velocity - 0.5 * velocityBefore_) - steady;
-  motion.meanX = course_.x();
-  motion.meanY = course_.y();
-  motion.meanHeading = course_.heading();
-  motion.speed = course_.speed();
-  motion.turnRate = course_.turnRate();
-  return motion;
+  input.eta << course * (position() - mean), eulerAngles(course * bodyAxes());
+  input.etaDot = rotated(course, toHeading, velocity) - steady;
+  input.etaDotNow = rotated(course, toHeading, 1.5 * velocity - 0.5 * velocityBefore_) - steady;
+}
+
+void Ship::findInput(double time, double step, const Mat3& heading) noexcept {
+  TickInput& now = input_;
+  now.time = time;
+  now.step = step;
+  now.position = position();
+  now.attitude = bodyAxes();
+  now.weight = toCourse() * frame_.forceToEarth(gravityForce(*body_));
+  now.meanX = course_.x();
+  now.meanY = course_.y();
+  now.meanHeading = course_.heading();
+  now.speed = course_.speed();
+  now.turnRate = course_.turnRate();
+  findMotion(now, heading);
+  Vec6 velocity = now.etaDotNow;
+  velocity[Surge] += now.speed;
+  velocity[Yaw] += now.turnRate;
+  const Mat3 toBody = now.attitude.transpose();
+  now.velocityNow = rotated(toBody * rotationZ(now.meanHeading), toBody * heading, velocity);
+  now.sea = &tables_->sea();
+  now.ramp = now.sea->ramp(time);
+  now.sea->phasors(time, now.meanX, now.meanY, phasors_);
+  now.phasors = phasors_;
 }
 
 void Ship::prepare(double step) {
-  radiation_.emplace(model_->radiation(memoryModel_), step, course_.follows());
+  preparedFor_ = 0.0;
+  for (Part& part : parts_) {
+    if (part.force) part.force->prepare(step);
+  }
+  preparedFor_ = step;
 }
 
 // Bullet's tick is a float in one build: 1e-6 tells another length from another rounding.
 std::uint32_t Ship::matchTick(double step) noexcept {
-  const bool known = radiation_.has_value();
-  if (known && std::abs(radiation_->memory().step() - step) <= 1e-6 * step) return kStepOk;
+  const bool known = preparedFor_ > 0.0;
+  if (known && std::abs(preparedFor_ - step) <= 1e-6 * step) return kStepOk;
   try {
     prepare(step);
   } catch (...) {
-    radiation_.reset();
     return kTickLengthChanged | kLoadNotFinite;
   }
   return known ? kTickLengthChanged : kStepOk;
 }
 
-void Ship::evaluate(const ShipMotion& motion) noexcept {
-  ForceParts& parts = record_.forces;
-  parts.gravity.setZero();
-  parts.gravity.head<3>() = toCourse() * frame_.forceToEarth(gravityForce(*body_));
-  parts.restoring = restoring_.at(motion) - parts.gravity;
-  excitation_->at(motion);
-  parts.froudeKrylov = excitation_->froudeKrylov();
-  parts.diffraction = excitation_->diffraction();
-  parts.radiation = radiation_ ? radiation_->at(motion) : Vec6::Zero();
-  parts.supplementary = supplementary_.at(motion) + keepers_.at(motion);
-  if (lift_) parts.supplementary += lift_->at(motion);
+Wrench Ship::evaluatePart(Part& part) noexcept {
+  if (!measuring_) return part.force->evaluate(input_);
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  const Wrench wrench = part.force->evaluate(input_);
+  part.nanoseconds += std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+  ++part.timed;
+  return wrench;
+}
+
+Vec6 Ship::inCourseAxes(const Wrench& wrench, const Mat3& heading) const noexcept {
+  if (wrench.axes == Axes::Course) return wrench.load;
+  const Mat3 toEarth = wrench.axes == Axes::Own ? input_.attitude : Mat3(Mat3::Identity());
+  return rotated(toCourse() * toEarth, heading.transpose() * toEarth, wrench.load);
+}
+
+// A load that is not finite is left out; with what carries the ship its weight is left out as well.
+std::uint32_t Ship::evaluate(const Mat3& heading) noexcept {
+  std::uint32_t faults = kStepOk;
+  Vec6& gravity = record_.loads[kGravityPart];
+  gravity.setZero();
+  gravity.head<3>() = input_.weight;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    Part& part = parts_[i];
+    if (!part.force) continue;
+    Vec6& load = record_.loads[i];
+    load = part.active() ? inCourseAxes(evaluatePart(part), heading) : Vec6(Vec6::Zero());
+    if (load.allFinite()) continue;
+    load.setZero();
+    if (part.force->carriesWeight()) gravity.setZero();
+    if (broken_ == kNone) broken_ = i;
+    faults |= kLoadNotFinite;
+  }
+  input_.courseBegins = false;
+  return faults;
+}
+
+Vec6 Ship::sumOfLoads() const noexcept {
+  Vec6 water = record_.loads[kGravityPart], added = Vec6::Zero();
+  for (std::size_t i = kGravityPart + 1; i < parts_.size(); ++i) {
+    if (i == kAddedMassPart) continue;
+    (parts_[i].potentialFlow ? water : added) += record_.loads[i];
+  }
+  return water + added;
 }
 
 // Impulses, not forces: Bullet keeps forces over all ticks of one stepSimulation. The part of the
 // restoring load that carries the weight undoes Bullet's gravity in the solver's own arithmetic.
 bool Ship::apply(btScalar step, const Mat3& heading) noexcept {
-  const ForceParts& p = record_.forces;
-  const Vec6 loads =
-      p.gravity + p.restoring + p.froudeKrylov + p.diffraction + p.radiation + p.supplementary;
+  const Vec6 loads = sumOfLoads();
   const btVector3 weightChange = gravityForce(*body_) * body_->getInvMass() * step;
   if (finite(weightChange)) body_->setLinearVelocity(body_->getLinearVelocity() - weightChange);
   if (!loads.allFinite()) return false;  // without loads, but carried
@@ -195,11 +234,13 @@ bool Ship::apply(btScalar step, const Mat3& heading) noexcept {
   return true;
 }
 
-// The last solve went wrong and the user has mended the body since: her past is gone.
+// The last solve went wrong and the user has mended the body since: its past is gone.
 bool Ship::recovered() noexcept {
   if (finite(addedMass_->linearVelocity()) && finite(addedMass_->angularVelocity())) return false;
   startAgain();
-  if (radiation_) radiation_->memory().reset();
+  for (Part& part : parts_) {
+    if (part.force) part.force->reset();
+  }
   return true;
 }
 
@@ -219,37 +260,34 @@ std::uint32_t Ship::beginTick(double time, btScalar step) noexcept {
   record_.time = time;
   record_.position = position();
   record_.attitude = attitude();
-  const Mat3 heading = rotationZ(record_.attitude.z()), toBody = bodyAxes().transpose();
-  const ShipMotion motion = motionAt(time, heading);
-  Vec6 velocity = motion.etaDotNow;
-  velocity[Surge] += motion.speed;
-  velocity[Yaw] += motion.turnRate;
-  record_.velocity = rotated(toBody * rotationZ(motion.meanHeading), toBody * heading, velocity);
-  evaluate(motion);
+  const Mat3 heading = rotationZ(record_.attitude.z());
+  findInput(time, static_cast<double>(step), heading);
+  record_.velocity = input_.velocityNow;
+  faults |= evaluate(heading);
   if (!apply(step, heading)) faults |= kLoadNotFinite;
   turnAddedMass(heading);
-  const Vec3 mean = rotationZ(headingAtSolve_) * Vec3(motion.speed, 0.0, 0.0);
-  addedMass_->setMean(frame_.length(mean), motion.meanHeading - headingAtSolve_, frame_.upwards());
+  const Vec3 mean = rotationZ(headingAtSolve_) * Vec3(input_.speed, 0.0, 0.0);
+  addedMass_->setMean(frame_.length(mean), input_.meanHeading - headingAtSolve_, frame_.upwards());
   addedMass_->beginTick(step);
-  aimRestraint(motion, heading, static_cast<double>(step));
+  aimRestraint(heading, static_cast<double>(step));
   return faults;
 }
 
-// A∞ follows her heading, not her heel: it belongs to the upright axes of linear theory, as K and C
-// do; turned with a hull that rolls, heave would excite sway at second order.
+// A∞ follows the ship's heading, not its heel: it belongs to the upright axes of linear theory, as K
+// and C do; turned with a hull that rolls, heave would excite sway at second order.
 void Ship::turnAddedMass(const Mat3& heading) noexcept {
   addedMass_->follow(frame_.rotation(heading));
 }
 
-void Ship::aimRestraint(const ShipMotion& motion, const Mat3& heading, double step) noexcept {
+void Ship::aimRestraint(const Mat3& heading, double step) noexcept {
   if (!restraint_) return;
   const MeanCourse::Place next = course_.ahead(step);
-  const Mat3 course = rotationZ(motion.meanHeading);
+  const Mat3 course = rotationZ(input_.meanHeading);
   const Vec3 way = course.transpose() *
-                   (Vec3(next.x, next.y, coefficients_.ship.cog.z()) - record_.position) /
+                   (Vec3(next.x, next.y, coefficients().ship.cog.z()) - record_.position) /
                    (step * frame_.metresPerUnit);
   const double turn = std::remainder(next.heading - record_.attitude.z(), 2.0 * kPi);
-  const Vec3 swing = Vec3(-motion.eta[Roll], -motion.eta[Pitch], turn) / step;
+  const Vec3 swing = Vec3(-input_.eta[Roll], -input_.eta[Pitch], turn) / step;
   std::array<btScalar, 6> wanted;
   for (std::size_t i = 0; i < 3; ++i) {
     wanted[i] = static_cast<btScalar>(way[static_cast<int>(i)]);
@@ -267,7 +305,7 @@ void Ship::endTick(btScalar step) noexcept {
   force << frame_.forceToEarth(toBullet(addedMass_->force())),
       frame_.momentToEarth(toBullet(addedMass_->moment()));
   const double heading = attitude().z();
-  record_.forces.addedMass = rotated(toCourse(), rotationZ(-heading), force);
+  record_.loads[kAddedMassPart] = rotated(toCourse(), rotationZ(-heading), force);
   headingAtSolve_ = course_.heading();
   lastStep_ = static_cast<double>(step);
   const Vec3 at = position();

@@ -2,61 +2,41 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "hydro/forces/ForceGenerator.h"
 #include "hydro/forces/MeanCourse.h"
-#include "hydro/forces/linear/Autopilots.h"
-#include "hydro/forces/linear/Excitation.h"
-#include "hydro/forces/linear/HullLift.h"
-#include "hydro/forces/linear/Radiation.h"
-#include "hydro/forces/linear/Restoring.h"
-#include "hydro/forces/linear/Supplementary.h"
-#include "plugin/AddedMassConstraint.h"
-#include "plugin/CourseRestraint.h"
-#include "plugin/ShipModel.h"
+#include "hydro/forces/ShipSettings.h"
 #include "plugin/WorldFrame.h"
+
+namespace cutwater {
+class Autopilots;
+class Hydrodynamics;
+class SeaTables;
+struct Coefficients;
+struct CourseForces;
+}  // namespace cutwater
 
 CUTWATER_PLUGIN_BEGIN
 
-/// The mean course about which a ship's motions are linear (frame H).
-enum class Mean {
-  Fixed,  ///< a straight line at constant speed, whatever she does: as in a towing tank, and in [M03]
-  Filtered  ///< follows the ship slowly (MeanCourse.h): a free ship, to be driven, turned and collided with
-};
+class AddedMassConstraint;
+class CourseRestraint;
 
-/// Where a ship starts and what it may do. SI units and E (z up) whatever the world's are.
-struct ShipSettings {
-  double x = 0.0, y = 0.0;  ///< mean position of G in E [m]
-  double heading = 0.0;     ///< mean heading [rad]: angle of the bow from E's x axis, about +z
-  double speed = 0.0;       ///< U [m/s] along the mean heading
-  Mean mean = Mean::Fixed;
-  double followTime = 15.0;      ///< 1/ν of MeanCourse [s], Mean::Filtered
-  Vec6 offset = Vec6::Zero();    ///< start, about the mean course, in H [m]; roll, pitch, yaw [rad]
-  Vec6 velocity = Vec6::Zero();  ///< start, beside U: u, v, w [m/s], p, q, r [rad/s] in B
-  bool hullLift = true;          ///< HullLift.h, Mean::Filtered only
-  std::array<bool, 6> restrained{};  ///< modes held on the mean course, each by a row of the solver
-  MemoryModel memory = MemoryModel::Exponential;
-  std::optional<SpeedKeeper> keepSpeed{};    ///< an engine
-  std::optional<CourseKeeper> keepCourse{};  ///< a helmsman
-  /// Collision shape, kept by the user, in the world's units; without it the convex hull of the ship's
-  /// own mesh. Bullet's contacts work on it; hydrodynamics does not look at it.
+/// What Bullet's contacts work on; hydrodynamics does not look at it.
+struct CollisionShape {
+  /// Kept by the user, in the world's units; null: the convex hull of the ship's own mesh.
   btCollisionShape* shape = nullptr;
   /// The shape is in the axes of the hull file (origin where that has it), not about G.
-  bool shapeInHullAxes = false;
+  bool inHullAxes = false;
 };
 
-/// Loads on a ship over one tick, by part: force [N] in H; moment [N·m] about G in upright axes
-/// with her own heading, to first order H. What contacts, joints and the user add is not here.
-/// gravity + restoring = −C η.
-struct ForceParts {
-  Vec6 gravity = Vec6::Zero();       ///< Bullet's, on this body
-  Vec6 restoring = Vec6::Zero();     ///< calm water: what balances gravity at rest, − C η
-  Vec6 froudeKrylov = Vec6::Zero();  ///< of the undisturbed waves
-  Vec6 diffraction = Vec6::Zero();
-  Vec6 radiation = Vec6::Zero();  ///< memory of the waves radiated, −∫K η̇ dτ, and −b(U)η̇ − c(U)η
-  Vec6 addedMass = Vec6::Zero();      ///< −d(A∞ v)/dt, as the solver applied it
-  Vec6 supplementary = Vec6::Zero();  ///< given damping and stiffness, hull lift, keepers
+/// A new ship: where it starts, which theory acts on it, and what it collides with.
+struct ShipSettings {
+  ShipStart start{};
+  ShipModel model{};
+  CollisionShape collision{};
 };
 
 /// State at the start t_n of the last tick and the loads that were evaluated from it.
@@ -67,7 +47,10 @@ struct TickRecord {
   Vec3 position = Vec3::Zero();  ///< G in E [m]
   Vec3 attitude = Vec3::Zero();  ///< roll, pitch, yaw [rad] of R_EB = R_z R_y R_x
   Vec6 velocity = Vec6::Zero();  ///< u, v, w [m/s], p, q, r [rad/s] in B
-  ForceParts forces;
+  /// Of each part in the order of Ship::parts(): force [N] in H, moment [N·m] about G in upright axes
+  /// with the ship's own heading, to first order H. What contacts, joints and Bullet forces of the user
+  /// add is not here.
+  std::vector<Vec6> loads;
 };
 
 /// Motion of a point of the ship, in E.
@@ -79,19 +62,35 @@ struct PointMotion {
 Vec3 eulerAngles(const Mat3& rotation) noexcept;
 
 /// One ship: a btRigidBody and the hydrodynamic loads on it. Made by Seaway::addShip.
-/// Forces act in H; moments, and A∞, in upright axes with her own heading (R_z of her yaw), and
-/// velocities are taken alike, so that power is force times velocity. To first order that is H
-/// throughout. Moments in H would set a ship's small roll inertia against her large yaw inertia: at
-/// 3° of yaw their product exceeds roll's own; in body axes a heeled ship's pitch moment would turn
-/// her. Rotations of more than some 20 degrees are outside the linear theory; loads stay finite.
+///     cutwater::Ship& ship = seaway.addShip(frigate, {.start = {.speed = 8.0}});
+///     ship.keepCourse({.heading = 0.5});                     // autopilots
+///     ship.addForce(std::make_unique<Wind>(20.0));           // a load of your own (ForceGenerator.h)
 ///
-/// Not in this theory: calm-water resistance, mean drift in waves, steady sinkage and trim, waves from one
-/// ship to another.
+/// The load is a list of parts:
+///     gravity         Bullet's, on this body
+///     restoring       calm water: what balances gravity at rest, − C η
+///     froude_krylov   the undisturbed waves
+///     diffraction     the waves that the hull throws back
+///     radiation       memory of the waves radiated, −∫K η̇ dτ, and −b(U)η̇ − c(U)η
+///     added_mass      −d(A∞ v)/dt, as Bullet's solver applied it
+///     supplementary   damping and stiffness given with the ship
+///     autopilots      SpeedKeeper and CourseKeeper
+///     hull_lift       Mean::Filtered only
+/// and then those of addForce(). gravity + restoring = −C η.
+///
+/// First-order forces act in H; moments, and A∞, in upright axes with the ship's own heading (R_z of
+/// its yaw), and velocities are taken alike, so that power is force times velocity. To first order that
+/// is H throughout. Moments in H would set a ship's small roll inertia against its large yaw inertia:
+/// at 3° of yaw their product exceeds roll's own; in body axes a heeled ship's pitch moment would turn
+/// it. Rotations of more than some 20 degrees are outside the linear theory; loads stay finite.
+///
+/// Not in this theory: calm-water resistance, mean drift in waves, steady sinkage and trim, waves from
+/// one ship to another.
 class Ship {
  public:
-  /// Use Seaway::addShip. World, model and `own` (null: a body is made) must outlive it.
-  Ship(btDiscreteDynamicsWorld& world, const WorldFrame& frame, std::shared_ptr<ShipModel> model,
-       const ShipSettings& settings, btRigidBody* own);
+  /// Use Seaway::addShip. World and `own` (null: a body is made) must outlive the ship.
+  Ship(btDiscreteDynamicsWorld& world, const WorldFrame& frame,
+       std::shared_ptr<const SeaTables> tables, const ShipSettings& settings, btRigidBody* own);
   ~Ship();
   Ship(const Ship&) = delete;
   Ship& operator=(const Ship&) = delete;
@@ -100,39 +99,69 @@ class Ship {
   btRigidBody& body() noexcept { return *body_; }
   const btRigidBody& body() const noexcept { return *body_; }
   const AddedMassConstraint& addedMass() const noexcept { return *addedMass_; }
-  const Coefficients& coefficients() const noexcept { return coefficients_; }
-  double length() const noexcept { return length_; }  ///< of the hull [m]
+  const Hydrodynamics& hydrodynamics() const noexcept;
+  const Coefficients& coefficients() const noexcept;
+  double length() const noexcept;  ///< of the hull [m]
 
-  Vec3 position() const noexcept;  ///< G in E [m], now
-  Vec3 attitude() const noexcept;  ///< roll, pitch, yaw [rad], now
-  Vec6 velocity() const noexcept;  ///< Bullet's, in B [m/s, rad/s], now
-  Vec6 motion() const noexcept;    ///< η in H [m, rad], now
-  const MeanCourse& course() const noexcept { return course_; }  ///< H, now
-  /// State and loads of the last tick.
-  const TickRecord& lastTick() const noexcept { return record_; }
-
+  // Where the ship is, now.
+  Vec3 position() const noexcept;                                ///< G in E [m]
+  Vec3 attitude() const noexcept;                                ///< roll, pitch, yaw [rad]
+  Vec6 velocity() const noexcept;                                ///< Bullet's, in B [m/s, rad/s]
+  Vec6 motion() const noexcept;                                  ///< η in H [m, rad]
+  const MeanCourse& course() const noexcept { return course_; }  ///< H
+  /// (M + A∞)v in E: momentum [N·s] and moment of momentum about G [N·m·s] of ship and water.
+  Vec6 momentum() const noexcept;
+  /// ½vᵀ(M + A∞)v + ½ηᵀCη [J] in the middle of the last tick: Bullet's velocity is the mean over it.
+  double energy() const noexcept;
   /// A point that moves with the ship. @param point in the hull file's axes turned to ours [m].
   /// Acceleration is the mean over the last tick.
   PointMotion pointMotion(const Vec3& point) const noexcept;
-  /// Water above the keel [m], waves included, at a distance x [m] before the hull file's origin; negative
-  /// where the keel is out of the water.
+  /// Water above the keel [m], waves included, at a distance x [m] before the hull file's origin;
+  /// negative where the keel is out of the water.
   double draught(double time, double x = 0.0) const noexcept;
-  /// Pose of the hull file's axes (x forward, y port, z up) in the world, in Bullet's axes and units, between
-  /// ticks interpolated by Bullet: to draw a model in.
+  /// Pose of the hull file's axes (x forward, y port, z up) in the world, in Bullet's axes and units.
   btTransform hullTransform() const noexcept;
 
-  // Engine and helmsman. Orders may change at any time between ticks.
-  void keepSpeed(const SpeedKeeper& order) { keepers_.hold(order); }
-  void keepCourse(const CourseKeeper& order) { keepers_.hold(order); }
-  void stopKeepingSpeed() noexcept { keepers_.releaseSpeed(); }
-  void stopKeepingCourse() noexcept { keepers_.releaseCourse(); }
-  const Keepers& keepers() const noexcept { return keepers_; }
+  // The load and its parts.
+  /// State and loads of the last tick.
+  const TickRecord& lastTick() const noexcept { return record_; }
+  /// Names of all parts, in order.
+  std::vector<std::string_view> parts() const;
+  /// Hash of these names: another number when a part has come or gone.
+  std::uint64_t partsKey() const noexcept { return partsKey_; }
+  /// Load of one part in the last tick (TickRecord::loads).
+  /// @throws HydroError BadArgument, naming the parts there are.
+  const Vec6& load(std::string_view part) const;
+  /// Takes a part of the user's, from the next tick on; it comes last in the list. At any time between
+  /// ticks. @throws HydroError BadArgument: null, a name that is taken or is no name.
+  void addForce(std::unique_ptr<ForceGenerator> force);
+  /// Gives back a part that addForce() took. @throws HydroError BadArgument: there is none.
+  std::unique_ptr<ForceGenerator> removeForce(std::string_view part);
+  /// Switches a part off (its load is 0) and on again; switched on, it has forgotten its past.
+  /// @throws HydroError BadArgument: no such part, or gravity, which is Bullet's.
+  void setEnabled(std::string_view part, bool on);
+  bool enabled(std::string_view part) const;  ///< @throws as load().
+  /// Name of the first part whose load was not finite since the last call; "" if none was.
+  std::string brokenPart();
+  /// Starts or stops timing the parts; a start forgets what was timed.
+  void measureCosts(bool on) noexcept;
+  /// Mean time of one evaluation [ns], in the order of parts(); 0 where nothing was timed.
+  std::vector<double> costs() const;
+
+  // Autopilots. Orders may change at any time between ticks.
+  void keepSpeed(const SpeedKeeper& order);
+  void keepCourse(const CourseKeeper& order);
+  void stopKeepingSpeed() noexcept;
+  void stopKeepingCourse() noexcept;
+  const Autopilots& autopilots() const noexcept { return *autopilots_; }
 
   /// Sets the velocity [m/s, rad/s] in E. body().setLinearVelocity() would be taken for a blow,
   /// which M + A∞ resists; this is not. The memory of radiated waves stays; a filtered course takes the
   /// new velocity at once.
   void resetVelocity(const Vec3& linear, const Vec3& angular) noexcept;
-  /// Puts the ship elsewhere, mean course and all, in calm water: `offset` as in ShipSettings.
+  /// Puts the ship elsewhere, mean course and all, in calm water: `offset` as in ShipStart. All parts
+  /// forget their past; orders to autopilots stay.
+  /// @throws HydroError as SeaTables::exact; nothing has changed then.
   void placeAt(double x, double y, double heading, const Vec6& offset = Vec6::Zero(),
                double speed = 0.0);
 
@@ -144,50 +173,67 @@ class Ship {
     std::array<btVector3, 2> past;        // v⁻
     btMatrix3x3 pastAxes;                 // of A∞ at v⁻
     Vec6 before;
-    double headingAtSolve = 0.0;
+    double lastStep = 0.0, headingAtSolve = 0.0;
+    bool courseBegins = false;
     TickRecord record;
     std::array<double, MeanCourse::kStateSize> course;
-    Keepers::State keepers;
-    std::vector<double> memory, excitation;
+    std::uint64_t partsKey = 0;      // of the names of the parts
+    std::vector<std::size_t> sizes;  // numbers of each part's state
+    std::vector<double> states;      // of the parts, one after the other
+    std::vector<char> enabled;       // of the parts
   };
   Snapshot save() const;
   /// The same into one that exists: allocates nothing if it is of this ship.
   void save(Snapshot& snapshot) const;
-  /// @throws HydroError BadArgument if it is of another ship or tick length.
+  /// @throws HydroError BadArgument if it is of a ship of other parts, or of another length of tick.
   void restore(const Snapshot& snapshot);
 
-  /// Builds the memory for ticks of `step` [s]: before the first tick, or that tick will.
+  /// Makes what depends on the tick's length [s]: before the first tick, or that tick will.
+  /// @throws HydroError ValueOutOfRange.
   void prepare(double step);
   /// One evaluation of all loads at t_n and their impulses; StepFault bits. Touches nothing but this
-  /// ship and her body. Seaway calls these.
+  /// ship and its body. Seaway calls these.
   std::uint32_t beginTick(double time, btScalar step) noexcept;
   void endTick(btScalar step) noexcept;
 
  private:
+  struct Part;  // of the load, with what the ship knows about it
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
   void createBody(const ShipSettings& settings);
   void adoptBody(btRigidBody& own, const ShipSettings& settings);
-  void makeExcitation(double heading, double speed);
+  void makeParts(const ShipSettings& settings);
+  void addPart(Part part);
+  void switchOff(const std::vector<std::string>& parts);
+  void saveParts(Snapshot& snapshot) const;
+  void checkParts(const Snapshot& snapshot) const;
+  void restoreParts(const Snapshot& snapshot);
+  void partsChanged();
+  std::size_t indexOf(std::string_view part) const;
+
   btTransform poseAt(const Vec6& offset) const noexcept;
   Mat3 bodyAxes() const noexcept;
   Mat3 toCourse() const noexcept;
   Mat3 headingAxes() const noexcept;
   Vec6 velocityInEarth(const btVector3& linear, const btVector3& angular) const noexcept;
   void courseBeginsHere() noexcept;
-  ShipMotion motionAt(double time, const Mat3& heading) const noexcept;
-  void evaluate(const ShipMotion& motion) noexcept;
+  void findMotion(TickInput& input, const Mat3& heading) const noexcept;
+  void findInput(double time, double step, const Mat3& heading) noexcept;
+  std::uint32_t evaluate(const Mat3& heading) noexcept;
+  Wrench evaluatePart(Part& part) noexcept;
+  Vec6 inCourseAxes(const Wrench& wrench, const Mat3& heading) const noexcept;
+  Vec6 sumOfLoads() const noexcept;
   bool apply(btScalar step, const Mat3& heading) noexcept;
   std::uint32_t matchTick(double step) noexcept;
   bool recovered() noexcept;
   void startAgain() noexcept;
   void turnAddedMass(const Mat3& heading) noexcept;
-  void aimRestraint(const ShipMotion& motion, const Mat3& heading, double step) noexcept;
+  void aimRestraint(const Mat3& heading, double step) noexcept;
 
   btDiscreteDynamicsWorld& world_;
   WorldFrame frame_;
-  std::shared_ptr<ShipModel> model_;
-  const Coefficients& coefficients_;
-  MemoryModel memoryModel_;
-  double length_, keel_;
+  std::shared_ptr<const SeaTables> tables_;
+  std::shared_ptr<const CourseForces> onCourse_;  // keeps them made while the course is fixed
   std::unique_ptr<btCollisionShape> hullShape_, compound_;
   std::unique_ptr<btRigidBody> ownBody_;
   btRigidBody* body_ = nullptr;
@@ -196,13 +242,15 @@ class Ship {
   MeanCourse course_;
   double headingAtSolve_ = 0.0;  // ψ̄ of the last solve
 
-  RestoringForce restoring_;
-  std::optional<ExcitationForce> excitation_;
-  SupplementaryForces supplementary_;
-  std::optional<HullLift> lift_;
-  Keepers keepers_;
-  std::optional<RadiationForce> radiation_;
+  std::vector<Part> parts_;
+  Autopilots* autopilots_ = nullptr;  // one of the parts
+  double preparedFor_ = 0.0;          // length of tick the parts were made for; 0: none
+  std::uint64_t partsKey_ = 0;
+  bool measuring_ = false;
+  std::size_t broken_ = kNone;  // index of the first part whose load was not finite
 
+  TickInput input_;  // of the tick under way
+  std::vector<Phasors4> phasors_;
   Vec6 velocityBefore_ = Vec6::Zero();  // v after the tick before the last one, in E
   double lastStep_ = 0.0;               // of the last tick
   TickRecord record_;

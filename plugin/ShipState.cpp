@@ -3,8 +3,11 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
-#include "plugin/Ship.h"
+#include "hydro/forces/Hydrodynamics.h"
+#include "hydro/forces/SeaTables.h"
+#include "plugin/AddedMassConstraint.h"
 #include "plugin/ShipAxes.h"
+#include "plugin/ShipPart.h"
 
 CUTWATER_PLUGIN_BEGIN
 
@@ -23,6 +26,10 @@ Vec3 eulerAngles(const Mat3& r) noexcept {
   return {std::atan2(r(2, 1), r(2, 2)), std::asin(std::clamp(-r(2, 0), -1.0, 1.0)),
           std::atan2(r(1, 0), r(0, 0))};
 }
+
+const Hydrodynamics& Ship::hydrodynamics() const noexcept { return *tables_->hydrodynamics(); }
+const Coefficients& Ship::coefficients() const noexcept { return hydrodynamics().coefficients(); }
+double Ship::length() const noexcept { return hydrodynamics().length(); }
 
 Vec3 Ship::position() const noexcept {
   return frame_.placeToEarth(body_->getWorldTransform().getOrigin());
@@ -49,13 +56,42 @@ Vec6 Ship::velocity() const noexcept {
                  velocityInEarth(body_->getLinearVelocity(), body_->getAngularVelocity()));
 }
 
-Vec6 Ship::motion() const noexcept { return motionAt(0.0, headingAxes()).eta; }
+Vec6 Ship::motion() const noexcept {
+  TickInput input;
+  findMotion(input, headingAxes());
+  return input.eta;
+}
+
+// A∞ in upright axes with the ship's heading, M in the ship's own.
+Vec6 Ship::momentum() const noexcept {
+  const Mat3 upright = headingAxes(), body = bodyAxes();
+  const Vec6 own = velocity();
+  const Vec6 inertia = coefficients().ship.massMatrix() * own;
+  Vec6 water;
+  water << upright.transpose() * (body * own.head<3>()),
+      upright.transpose() * (body * own.tail<3>());
+  water = (coefficients().addedMassInf * water).eval();
+  Vec6 sum;
+  sum << body * inertia.head<3>() + upright * water.head<3>(),
+      body * inertia.tail<3>() + upright * water.tail<3>();
+  return sum;
+}
+
+double Ship::energy() const noexcept {
+  const Mat3 body = bodyAxes(), course = toCourse();
+  const Vec6 own = velocity();
+  Vec6 velocity, motion = this->motion();
+  velocity << body * own.head<3>(), body * own.tail<3>();
+  motion.head<3>() -= 0.5 * lastStep_ * course * velocity.head<3>();
+  motion.tail<3>() -= 0.5 * lastStep_ * course * velocity.tail<3>();
+  return 0.5 * velocity.dot(momentum()) + 0.5 * motion.dot(coefficients().ship.restoring * motion);
+}
 
 PointMotion Ship::pointMotion(const Vec3& point) const noexcept {
   const Vec6 now = velocityInEarth(addedMass_->linearVelocity(), addedMass_->angularVelocity());
   const Vec6 rate =
       lastStep_ > 0.0 ? Vec6((now - velocityBefore_) / lastStep_) : Vec6(Vec6::Zero());
-  const Vec3 arm = bodyAxes() * (point - coefficients_.ship.cog);
+  const Vec3 arm = bodyAxes() * (point - coefficients().ship.cog);
   const Vec3 velocity = now.head<3>(), spin = now.tail<3>();
   const Vec3 linear = rate.head<3>(), angular = rate.tail<3>();
   return {position() + arm, velocity + spin.cross(arm),
@@ -63,18 +99,19 @@ PointMotion Ship::pointMotion(const Vec3& point) const noexcept {
 }
 
 double Ship::draught(double time, double x) const noexcept {
-  const Vec3 keel = position() + bodyAxes() * (Vec3(x, 0.0, keel_) - coefficients_.ship.cog);
-  return model_->sea().elevation(time, keel.x(), keel.y()) - keel.z();
+  const Vec3 keel =
+      position() + bodyAxes() * (Vec3(x, 0.0, hydrodynamics().keel()) - coefficients().ship.cog);
+  return tables_->sea().elevation(time, keel.x(), keel.y()) - keel.z();
 }
 
 btTransform Ship::hullTransform() const noexcept {
   const btTransform& pose = body_->getWorldTransform();
-  const btVector3 origin = pose * frame_.length(-coefficients_.ship.cog);
+  const btVector3 origin = pose * frame_.length(-coefficients().ship.cog);
   return btTransform(pose.getBasis() * toBulletBasis(frame_.axes()), origin);
 }
 
 btTransform Ship::poseAt(const Vec6& offset) const noexcept {
-  const Vec3 mean(course_.x(), course_.y(), coefficients_.ship.cog.z());
+  const Vec3 mean(course_.x(), course_.y(), coefficients().ship.cog.z());
   const Mat3 course = rotationZ(course_.heading());
   return btTransform(frame_.rotation(course * attitudeMatrix(offset.tail<3>())),
                      frame_.place(mean + course * offset.head<3>()));
@@ -87,11 +124,14 @@ void Ship::resetVelocity(const Vec3& linear, const Vec3& angular) noexcept {
 }
 
 void Ship::placeAt(double x, double y, double heading, const Vec6& offset, double speed) {
-  makeExcitation(heading, speed);
+  if (!course_.follows()) onCourse_ = tables_->exact(heading, speed);  // what throws, first
   course_.reset(x, y, heading, speed);
+  input_.courseBegins = true;
   body_->setCenterOfMassTransform(poseAt(offset));
   resetVelocity(rotationZ(heading) * Vec3(speed, 0.0, 0.0), Vec3::Zero());
-  if (radiation_) radiation_->memory().reset();
+  for (Part& part : parts_) {
+    if (part.force) part.force->reset();
+  }
 }
 
 Ship::Snapshot Ship::save() const {
@@ -109,30 +149,75 @@ void Ship::save(Snapshot& s) const {
   s.past = {addedMass_->linearVelocity(), addedMass_->angularVelocity()};
   s.pastAxes = addedMass_->pastAxes();
   s.before = velocityBefore_;
+  s.lastStep = lastStep_;
   s.headingAtSolve = headingAtSolve_;
+  s.courseBegins = input_.courseBegins;
   s.record = record_;
   course_.save(s.course);
-  s.keepers = keepers_.save();
-  s.memory.resize(radiation_ ? radiation_->memory().stateSize() : 0);
-  if (radiation_) radiation_->memory().save(s.memory);
-  s.excitation.resize(excitation_->stateSize());
-  excitation_->save(s.excitation);
+  saveParts(s);
+}
+
+void Ship::saveParts(Snapshot& s) const {
+  s.partsKey = partsKey_;
+  s.sizes.resize(parts_.size());
+  s.enabled.resize(parts_.size());
+  std::size_t all = 0;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    s.enabled[i] = parts_[i].on ? 1 : 0;
+    s.sizes[i] = parts_[i].force ? parts_[i].force->stateSize() : 0;
+    all += s.sizes[i];
+  }
+  s.states.resize(all);
+  double* to = s.states.data();
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (s.sizes[i] > 0) parts_[i].force->save({to, s.sizes[i]});
+    to += s.sizes[i];
+  }
+}
+
+// A part that had no state yet when the snapshot was taken had no past.
+void Ship::checkParts(const Snapshot& s) const {
+  const auto refuse = [](const std::string& why) {
+    throw HydroError(Fault::BadArgument, "Ship::restore: " + why);
+  };
+  if (s.partsKey != partsKey_ || s.sizes.size() != parts_.size()) {
+    refuse("the snapshot is of a ship whose load has other parts");
+  }
+  const double* from = s.states.data();
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const std::span<const double> state(from, s.sizes[i]);
+    from += s.sizes[i];
+    if (state.empty() || (parts_[i].force && parts_[i].force->fits(state))) continue;
+    if (preparedFor_ == 0.0) refuse("no tick length is known yet; prepare() first");
+    refuse("\"" + parts_[i].name +
+           "\" cannot take its state from the snapshot; it is of another ship or tick length");
+  }
+}
+
+void Ship::restoreParts(const Snapshot& s) {
+  const double* from = s.states.data();
+  bool changed = false;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    Part& part = parts_[i];
+    const bool on = s.enabled[i] != 0;
+    changed = changed || part.on != on;
+    part.on = on;
+    if (i == kAddedMassPart) addedMass_->setActive(on);
+    if (!part.force) continue;
+    if (s.sizes[i] > 0) {
+      part.force->restore({from, s.sizes[i]});
+    } else {
+      part.force->reset();
+    }
+    from += s.sizes[i];
+  }
+  if (changed) partsChanged();
 }
 
 void Ship::restore(const Snapshot& s) {
-  if (!s.memory.empty() && !radiation_) {
-    throw HydroError(Fault::BadArgument,
-                     "Ship::restore: no tick length is known yet; prepare() first");
-  }
-  MeanCourse course = course_;
-  course.restore(s.course);
-  if (!s.memory.empty()) radiation_->memory().restore(s.memory);
-  if (s.memory.empty() && radiation_) radiation_->memory().reset();
-  const bool moved = course.heading() != course_.heading() || course.speed() != course_.speed();
-  if (moved && !course.follows()) makeExcitation(course.heading(), course.speed());
-  excitation_->restore(s.excitation);
-  course_ = course;
-  keepers_.restore(s.keepers);
+  checkParts(s);
+  course_.restore(s.course);
+  restoreParts(s);
   body_->setCenterOfMassTransform(s.transform);
   body_->setInterpolationWorldTransform(s.interpolated);
   body_->setLinearVelocity(s.velocities[0]);
@@ -141,7 +226,9 @@ void Ship::restore(const Snapshot& s) {
   body_->setInterpolationAngularVelocity(s.velocities[3]);
   addedMass_->setPast(s.past[0], s.past[1], s.pastAxes);
   velocityBefore_ = s.before;
+  lastStep_ = s.lastStep;
   headingAtSolve_ = s.headingAtSolve;
+  input_.courseBegins = s.courseBegins;
   record_ = s.record;
 }
 

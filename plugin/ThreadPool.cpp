@@ -1,6 +1,6 @@
 #include "plugin/ThreadPool.h"
 
-namespace cutwater {
+CUTWATER_PLUGIN_BEGIN
 
 ThreadPool::ThreadPool(unsigned threads) {
   for (unsigned i = 1; i < threads; ++i) workers_.emplace_back([this] { wait(); });
@@ -54,4 +54,4 @@ void ThreadPool::run(std::size_t count, void (*work)(void*, std::size_t), void* 
   end_.wait(lock, [this] { return busy_ == 0; });
 }
 
-}  // namespace cutwater
+CUTWATER_PLUGIN_END

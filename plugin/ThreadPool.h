@@ -5,7 +5,9 @@
 #include <thread>
 #include <vector>
 
-namespace cutwater {
+#include "plugin/BulletTypes.h"
+
+CUTWATER_PLUGIN_BEGIN
 
 /// Shares the ships of a tick among threads that wait between ticks. Debian's Bullet is built without
 /// threads of its own. run() allocates nothing.
@@ -37,4 +39,4 @@ class ThreadPool {
   std::vector<std::thread> workers_;
 };
 
-}  // namespace cutwater
+CUTWATER_PLUGIN_END

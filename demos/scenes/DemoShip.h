@@ -10,9 +10,10 @@
 #include "demos/scenes/BulletWorld.h"
 #include "hydro/base/AtomicFile.h"
 #include "hydro/database/CoefficientsFile.h"
+#include "hydro/forces/Hydrodynamics.h"
 #include "plugin/Seaway.h"
 
-/// What demos share: the command line, a table, and a ship's momentum and energy with the water's.
+/// What demos share: the command line, a table, a check that prints.
 namespace cutwater {
 
 /// Rows of numbers that become a CSV.
@@ -68,36 +69,6 @@ int demoMain(int argc, char** argv, const std::string& name, const char* header,
 
 inline Mat3 aboutZ(double angle) {
   return Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
-}
-
-/// (M + A∞)v of a ship in E, moments about her G: A∞ in upright axes with her heading, M in her own.
-inline Vec6 momentum(const Ship& ship) {
-  const Mat3 upright = aboutZ(ship.attitude().z());
-  const Mat3 body = fromBullet(ship.body().getWorldTransform().getBasis());
-  const Vec6 own = ship.velocity();
-  Vec6 water;
-  water << upright.transpose() * (body * own.head<3>()),
-      upright.transpose() * (body * own.tail<3>());
-  const Vec6 inertia = ship.coefficients().ship.massMatrix() * own;
-  water = ship.coefficients().addedMassInf * water;
-  Vec6 sum;
-  sum << body * inertia.head<3>() + upright * water.head<3>(),
-      body * inertia.tail<3>() + upright * water.tail<3>();
-  return sum;
-}
-
-/// ½ vᵀ(M + A∞)v + ½ ηᵀCη [J] in the middle of a tick just ended, of length `step` [s]: Bullet's velocity
-/// is the mean over it.
-inline double energy(const Ship& ship, double step) {
-  const Mat3 body = fromBullet(ship.body().getWorldTransform().getBasis());
-  const Mat3 course = aboutZ(-ship.course().heading());
-  const Vec6 own = ship.velocity();
-  Vec6 velocity, motion = ship.motion();
-  velocity << body * own.head<3>(), body * own.tail<3>();
-  motion.head<3>() -= 0.5 * step * course * velocity.head<3>();
-  motion.tail<3>() -= 0.5 * step * course * velocity.tail<3>();
-  return 0.5 * velocity.dot(momentum(ship)) +
-         0.5 * motion.dot(ship.coefficients().ship.restoring * motion);
 }
 
 /// Heave, roll and pitch at rest of a ship that carries `mass` [kg] at a place about G [m] that moves with

@@ -22,8 +22,8 @@ struct Scene {
     bullet.world.getSolverInfo().m_solverMode |=
         SOLVER_USE_2_FRICTION_DIRECTIONS | SOLVER_DISABLE_VELOCITY_DEPENDENT_FRICTION_DIRECTION;
     ShipSettings settings;
-    settings.shape = &deck;
-    settings.offset = carrying(frigate.ship, 2.0 * kMass, Vec3(-7.0, side, kHeight));
+    settings.collision.shape = &deck;
+    settings.start.offset = carrying(frigate.ship, 2.0 * kMass, Vec3(-7.0, side, kHeight));
     ship = &seaway.addShip(frigate, settings);
     ship->body().setFriction(1);
     put(-3.0, side, 0.1);

@@ -23,36 +23,37 @@ struct Result {
 
 // ∫ of the hydrodynamic force in a tick, in E; A∞ is on the other side of the balance.
 Vec3 impulse(const Ship& ship) {
-  const ForceParts& part = ship.lastTick().forces;
-  const Vec6 load = part.gravity + part.restoring + part.radiation + part.supplementary;
+  const Vec6 load = ship.load("gravity") + ship.load("restoring") + ship.load("radiation") +
+                    ship.load("supplementary");
   return kTick * aboutZ(ship.course().heading()) * load.head<3>();
 }
 
-Result collide(const Coefficients& frigate, int iterations, DemoTable& table) {
-  BulletWorld bullet(frigate.ship.gravity);
+Result collide(const std::shared_ptr<const Hydrodynamics>& frigate, int iterations,
+               DemoTable& table) {
+  BulletWorld bullet(frigate->ship().gravity);
   bullet.world.getSolverInfo().m_numIterations = iterations;
   Seaway calm(bullet.world);
   ShipSettings settings;
-  settings.x = -78.0;  // her bow 1.8 m off the other's side
-  settings.velocity[Surge] = kSpeed;
+  settings.start.x = -78.0;  // her bow 1.8 m off the other's side
+  settings.start.velocity[Surge] = kSpeed;
   Ship& runs = calm.addShip(frigate, settings);
   settings = {};
-  settings.y = 2.0;
-  settings.heading = kPi / 2.0;
+  settings.start.y = 2.0;
+  settings.start.heading = kPi / 2.0;
   Ship& lies = calm.addShip(frigate, settings);
   runs.body().setFriction(0);
-  const double first = momentum(runs).x(), energyAtFirst = energy(runs, 0.0);
-  const double mass = frigate.ship.mass;
+  const double first = runs.momentum().x(), energyAtFirst = runs.energy();
+  const double mass = frigate->ship().mass;
 
   Result result;
   Vec3 water = Vec3::Zero();
   for (int i = 0; i < 30 * 64; ++i) {
-    const double before = momentum(runs).x() + momentum(lies).x();
+    const double before = runs.momentum().x() + lies.momentum().x();
     bullet.world.stepSimulation(kTick, 1, kTick);
     const Vec3 now = impulse(runs) + impulse(lies);
     water += now;
-    const double a = momentum(runs).x(), b = momentum(lies).x();
-    const double left = energy(runs, kTick) + energy(lies, kTick);
+    const double a = runs.momentum().x(), b = lies.momentum().x();
+    const double left = runs.energy() + lies.energy();
     result.lost = std::max(result.lost, std::abs(a + b - first - water.x()) / first);
     result.lostInTick = std::max(result.lostInTick, std::abs(a + b - before - now.x()) / first);
     result.energy = std::max(result.energy, left / energyAtFirst);
@@ -73,8 +74,9 @@ Result collide(const Coefficients& frigate, int iterations, DemoTable& table) {
 }
 
 bool run(const Coefficients& database, DemoTable& table) {
-  Coefficients frigate = database;
-  frigate.ship.supplementary = {};
+  Coefficients bare = database;
+  bare.ship.supplementary = {};
+  const auto frigate = std::make_shared<const Hydrodynamics>(std::move(bare));
   bool good = true;
   std::puts("iterations  momentum lost  in one tick  energy at most  energy left");
   for (const int iterations : {5, 10, 20, 50, 100}) {

@@ -38,7 +38,7 @@ bool run(const Coefficients& frigate, DemoTable& table) {
   Seaway calm(bullet.world);
   const Vec6 expected = carrying(frigate.ship, kMass, kBoom);
   ShipSettings settings;
-  settings.offset = expected;
+  settings.start.offset = expected;
   Ship& ship = calm.addShip(frigate, settings);
 
   // The load, a ball of 1 m, pulled out by 6 degrees and let go; the rope is a point joint.
@@ -60,7 +60,7 @@ bool run(const Coefficients& frigate, DemoTable& table) {
                  spin = double(load.getAngularVelocity().length()),
                  height = double(load.getCenterOfMassPosition().z() -
                                  step / 2 * load.getLinearVelocity().z());
-    return energy(ship, step) + 0.5 * kMass * speed * speed + 0.5 * kInertia * spin * spin +
+    return ship.energy() + 0.5 * kMass * speed * speed + 0.5 * kInertia * spin * spin +
            kMass * gravity * height;
   };
   const double first = total(0.0), lift = kMass * gravity * kRope * (1.0 - std::cos(angle));

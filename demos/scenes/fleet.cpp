@@ -22,21 +22,22 @@ struct Outcome {
   double factor = 0.0, farthest = 0.0;
 };
 
-Outcome sail(const Coefficients& frigate, const SeaState& sea, unsigned threads, DemoTable* table) {
-  BulletWorld bullet(frigate.ship.gravity);
+Outcome sail(const std::shared_ptr<const Hydrodynamics>& frigate, const SeaState& sea,
+             unsigned threads, DemoTable* table) {
+  BulletWorld bullet(frigate->ship().gravity);
   Seaway seaway(bullet.world, sea);
   seaway.setThreads(threads);
   btBoxShape hull(btVector3(60, 7, 5));
   for (int i = 0; i < kColumns * kRows; ++i) {
     ShipSettings settings;
-    settings.x = kApart * (i % kColumns);
-    settings.y = kApart * (i / kColumns);
-    settings.heading = i % 8 * kPi / 4.0;
-    settings.speed = kSpeed;
-    settings.mean = Mean::Filtered;
-    settings.keepSpeed = SpeedKeeper{.speed = kSpeed};
-    settings.keepCourse = CourseKeeper{.heading = settings.heading};
-    settings.shape = &hull;
+    settings.start.x = kApart * (i % kColumns);
+    settings.start.y = kApart * (i / kColumns);
+    settings.start.heading = i % 8 * kPi / 4.0;
+    settings.start.speed = kSpeed;
+    settings.model.mean = Mean::Filtered;
+    settings.model.keepSpeed = SpeedKeeper{.speed = kSpeed};
+    settings.model.keepCourse = CourseKeeper{.heading = settings.start.heading};
+    settings.collision.shape = &hull;
     seaway.addShip(frigate, settings).prepare(kTick);
   }
   const auto begun = std::chrono::steady_clock::now();
@@ -65,7 +66,8 @@ Outcome sail(const Coefficients& frigate, const SeaState& sea, unsigned threads,
   return outcome;
 }
 
-bool run(const Coefficients& frigate, DemoTable& table) {
+bool run(const Coefficients& database, DemoTable& table) {
+  const auto frigate = std::make_shared<const Hydrodynamics>(database);
   const SeaState sea =
       makeSeaState({.hs = 3.0, .tp = 9.0}, {.heading = 2.6, .components = 200, .ramp = 2.0});
   const Outcome one = sail(frigate, sea, 1, &table), two = sail(frigate, sea, 2, nullptr);

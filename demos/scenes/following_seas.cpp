@@ -15,7 +15,7 @@ static bool run(const Coefficients& frigate, DemoTable& table) {
   Seaway seaway(bullet.world,
                 SeaState({{omega, amplitude, 0.0, heading}}, frigate.ship.gravity, 60.0));
   ShipSettings settings;
-  settings.speed = speed;
+  settings.start.speed = speed;
   Ship& ship = seaway.addShip(frigate, settings);
 
   // η̂ of η = Re{η̂ e^{iω′t}} over ten encounters: waves 5 m before and behind G, heave, roll.

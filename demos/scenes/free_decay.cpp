@@ -14,7 +14,7 @@ int main(int argc, char** argv) try {
   BulletWorld bullet(sphere.ship.gravity);
   Seaway calm(bullet.world);
   ShipSettings dropped;
-  dropped.offset[Heave] = 1.0;
+  dropped.start.offset[Heave] = 1.0;
   Ship& ship = calm.addShip(sphere, dropped);
   Recorder recorder(calm, ship);
 

@@ -32,9 +32,9 @@ bool run(const Coefficients& database, DemoTable& table) {
   Seaway calm(bullet.world);
   btBoxShape side(btVector3(60, 7, 4));
   ShipSettings settings;
-  settings.shape = &side;
-  settings.velocity[Sway] = -kSpeed;
-  settings.restrained[Yaw] = true;  // else one end is there first
+  settings.collision.shape = &side;
+  settings.start.velocity[Sway] = -kSpeed;
+  settings.model.restrained[Yaw] = true;  // else one end is there first
   Ship& ship = calm.addShip(frigate, settings);
   ship.body().setFriction(0);
 
@@ -48,7 +48,7 @@ bool run(const Coefficients& database, DemoTable& table) {
     bullet.world.addRigidBody(fender);
   }
   const double mass = frigate.ship.mass, own = mass * kSpeed;
-  const double first = -momentum(ship)[Sway], energyAtFirst = energy(ship, 0.0);
+  const double first = -ship.momentum()[Sway], energyAtFirst = ship.energy();
   double taken = 0.0, water = 0.0, most = 0.0, off = 0.0, before = 0.0, blow = 0.0;
   for (int i = 0; i < 120 * 64; ++i) {
     const double speed = -ship.velocity()[Sway];
@@ -56,14 +56,14 @@ bool run(const Coefficients& database, DemoTable& table) {
     const double now = contactImpulse(bullet.dispatcher);
     if (taken == 0.0) before = speed;
     taken += now;
-    water -= kTick * ship.lastTick().forces.radiation[Sway];
+    water -= kTick * ship.load("radiation")[Sway];
     if (blow == 0.0 && taken > 0.0 && ship.velocity()[Sway] > -0.01 * before) blow = taken;
-    most = std::max(most, energy(ship, kTick) / energyAtFirst);
-    off = std::max(off, std::abs(-momentum(ship)[Sway] + taken - water - first) / first);
+    most = std::max(most, ship.energy() / energyAtFirst);
+    off = std::max(off, std::abs(-ship.momentum()[Sway] + taken - water - first) / first);
     if (i % 4 == 0) {
       table.row({calm.time(), ship.position().y(), ship.velocity()[Sway],
                  ship.attitude().x() * 180.0 / kPi, taken / own, water / own,
-                 -momentum(ship)[Sway] / own, energy(ship, kTick) / energyAtFirst});
+                 -ship.momentum()[Sway] / own, ship.energy() / energyAtFirst});
     }
   }
   // She also rolls a little, so that a blow at G moves not quite m + A22.

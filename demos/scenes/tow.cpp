@@ -65,7 +65,7 @@ Result pull(const Coefficients& frigate, int iterations, DemoTable& table) {
   bullet.world.getSolverInfo().m_numIterations = iterations;
   Seaway calm(bullet.world);
   ShipSettings settings;
-  settings.restrained[Yaw] = true;
+  settings.model.restrained[Yaw] = true;
   Ship& ship = calm.addShip(frigate, settings);
   Line line(bullet, ship);
   Result result;
@@ -75,15 +75,15 @@ Result pull(const Coefficients& frigate, int iterations, DemoTable& table) {
     bullet.world.stepSimulation(kTick, 1, kTick);
     given += kTick * kPull;
     pulled += kTick * line.tension();
-    water += kTick * ship.lastTick().forces.radiation[Sway];
-    const double all = momentum(ship)[Sway] + line.momentum() - water,
+    water += kTick * ship.load("radiation")[Sway];
+    const double all = ship.momentum()[Sway] + line.momentum() - water,
                  speed = ship.velocity()[Sway];
     result.lost = std::max(result.lost, std::abs(all - given) / given);
     if (i == 16) result.atFirst = pulled / speed;
     if (i == 20 * 64) pulledBefore = pulled, speedBefore = speed;
     if (i == 30 * 64) result.atLast = (pulled - pulledBefore) / (speed - speedBefore);
     table.row({double(iterations), calm.time(), ship.position().y(), speed, line.tension(),
-               momentum(ship)[Sway], line.momentum(), -water, given});
+               ship.momentum()[Sway], line.momentum(), -water, given});
   }
   result.faults = calm.faults();
   return result;

@@ -16,7 +16,7 @@ void record(DemoTable& table, int run, const Seaway& seaway, const Ship& ship) {
   const Vec3 at = ship.position(), attitude = ship.attitude() / kDegree;
   const Vec6 v = ship.velocity();
   table.row({double(run), seaway.time(), at.x(), at.y(), attitude.z(), attitude.x(), v[Surge],
-             v[Sway], ship.course().speed(), energy(ship, kTick)});
+             v[Sway], ship.course().speed(), ship.energy()});
 }
 
 // Largest component, of weight or of weight times length.
@@ -26,13 +26,9 @@ double size(const Vec6& force, const Ship& ship) {
                   force.tail<3>().cwiseAbs().maxCoeff() / weight / ship.length());
 }
 
-double change(const ForceParts& a, const ForceParts& b, const Ship& ship) {
+double change(const std::vector<Vec6>& a, const std::vector<Vec6>& b, const Ship& ship) {
   double most = 0.0;
-  for (const auto part :
-       {&ForceParts::restoring, &ForceParts::froudeKrylov, &ForceParts::diffraction,
-        &ForceParts::radiation, &ForceParts::addedMass, &ForceParts::supplementary}) {
-    most = std::max(most, size(a.*part - b.*part, ship));
-  }
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, size(a[i] - b[i], ship));
   return most;
 }
 
@@ -42,19 +38,19 @@ bool turn(int run, const Coefficients& frigate, const SeaState& sea, double jump
   BulletWorld bullet(frigate.ship.gravity);
   Seaway seaway(bullet.world, sea);
   ShipSettings settings;
-  settings.speed = kSpeed;
-  settings.mean = Mean::Filtered;
-  settings.keepSpeed = SpeedKeeper{.speed = kSpeed};
-  settings.keepCourse = CourseKeeper{};
+  settings.start.speed = kSpeed;
+  settings.model.mean = Mean::Filtered;
+  settings.model.keepSpeed = SpeedKeeper{.speed = kSpeed};
+  settings.model.keepCourse = CourseKeeper{};
   Ship& ship = seaway.addShip(frigate, settings);
   double slowest = kSpeed, fastest = kSpeed, largest = 0.0;
-  ForceParts before = ship.lastTick().forces;
+  std::vector<Vec6> before = ship.lastTick().loads;
   for (int i = 0; i < 25000; ++i) {
     const double order = std::clamp(3.0 * (seaway.time() - 30.0), 0.0, 90.0) * kDegree;
     ship.keepCourse({.heading = order});
     bullet.world.stepSimulation(kTick, 1, kTick);
-    if (i > 0) largest = std::max(largest, change(ship.lastTick().forces, before, ship));
-    before = ship.lastTick().forces;
+    if (i > 0) largest = std::max(largest, change(ship.lastTick().loads, before, ship));
+    before = ship.lastTick().loads;
     slowest = std::min(slowest, ship.velocity()[Surge]);
     fastest = std::max(fastest, ship.velocity()[Surge]);
     if (i % 10 == 0) record(table, run, seaway, ship);
@@ -73,20 +69,20 @@ bool coast(const Coefficients& frigate, DemoTable& table) {
   BulletWorld bullet(frigate.ship.gravity);
   Seaway seaway(bullet.world);
   ShipSettings settings;
-  settings.speed = kSpeed;
-  settings.mean = Mean::Filtered;
-  settings.velocity[Yaw] = 0.001;
+  settings.start.speed = kSpeed;
+  settings.model.mean = Mean::Filtered;
+  settings.start.velocity[Yaw] = 0.001;
   Ship& ship = seaway.addShip(frigate, settings);
-  double before = energy(ship, 0.0), gained = 0.0;
+  double before = ship.energy(), gained = 0.0;
   const double first = before;
   while (std::abs(ship.motion()[Yaw]) < 30.0 * kDegree && seaway.time() < 200.0) {
     bullet.world.stepSimulation(kTick, 1, kTick);
     record(table, 2, seaway, ship);
-    gained = std::max(gained, energy(ship, kTick) / first - 1.0);
+    gained = std::max(gained, ship.energy() / first - 1.0);
   }
   bool good = seaway.faults() == kStepOk;
   good &= isBelow("coasting, energy gained", gained, 1e-6);
-  good &= isBelow("coasting, energy left", energy(ship, kTick) / first, 1.0);
+  good &= isBelow("coasting, energy left", ship.energy() / first, 1.0);
   return good;
 }
 

@@ -1,30 +1,96 @@
 #pragma once
-#include "hydro/Conventions.h"
+#include <span>
+#include <string_view>
 
+#include "hydro/Conventions.h"
+#include "hydro/waves/SeaState.h"
+
+/// A load of your own on a ship, in three steps: derive from ForceGenerator, give it a name, return a
+/// Wrench from evaluate(); then
+///     ship.addForce(std::make_unique<Wind>(20.0));
+/// and it is part of every tick, of snapshots, of the CSV (columns wind_F1 … wind_F6), and can be
+/// switched off by that name.
 namespace cutwater {
 
-/// Motion of a ship about its mean course at one tick. Frame H (Conventions.h); angular velocities, and
-/// the moments that answer them, in upright axes with the ship's own heading, to first order H.
-struct ShipMotion {
-  double time = 0.0;                ///< t_n [s]
-  Vec6 eta = Vec6::Zero();          ///< surge, sway, heave [m] of G; roll, pitch, yaw [rad], at t_n
-  Vec6 etaDot = Vec6::Zero();       ///< η̇ [m/s, rad/s], mean over the tick that ended at t_n
-  Vec6 etaDotNow = Vec6::Zero();    ///< η̇ extrapolated to t_n
-  double meanX = 0.0, meanY = 0.0;  ///< mean position of G in E [m]
-  double meanHeading = 0.0;         ///< ψ̄ [rad]: x axis of H against E's, about +z
-  double speed = 0.0;               ///< U [m/s], mean speed along that axis
-  double turnRate = 0.0;            ///< dψ̄/dt [rad/s]; η̇₆ is what she turns beyond it
+/// The axes in which the six numbers of a load are given. The point is always G.
+enum class Axes {
+  Course,  ///< force in H; moment in upright axes with the ship's own heading (first-order theory)
+  Earth,   ///< E
+  Own      ///< B, fixed to the hull
 };
 
-/// One part of the load on the ship. Adding a part is adding one class; parts do not know each
-/// other. Acceleration is not an input: added mass cannot be a ForceGenerator
-/// (plugin/AddedMassConstraint.h).
+/// Force [N] and moment about G [N·m], and their axes.
+struct Wrench {
+  Vec6 load = Vec6::Zero();
+  Axes axes = Axes::Course;
+};
+
+/// What a part of the load may know at the start of a tick. SI units and radians. Velocities with
+/// "Now" are those at t_n, extrapolated to second order in the tick.
+struct TickInput {
+  double time = 0.0;  ///< t_n [s]
+  double step = 0.0;  ///< length of the tick [s]
+
+  // The ship as it is.
+  Vec3 position = Vec3::Zero();      ///< G in E [m]
+  Mat3 attitude = Mat3::Identity();  ///< R_EB: v_E = R_EB v_B
+  Vec6 velocityNow = Vec6::Zero();   ///< u, v, w [m/s], p, q, r [rad/s] in B
+  Vec3 weight = Vec3::Zero();        ///< Bullet's gravity on the body, in H [N]
+
+  // The mean course: place and motion of frame H.
+  double meanX = 0.0, meanY = 0.0;  ///< mean place of G in E [m]
+  double meanHeading = 0.0;         ///< ψ̄ [rad]: x axis of H from that of E, about +z
+  double speed = 0.0;               ///< U [m/s] along that axis
+  double turnRate = 0.0;            ///< dψ̄/dt [rad/s]; η̇₆ is the turning beyond it
+  bool courseBegins = false;  ///< the course was set anew since the last tick: it did not come here
+
+  // The motion about the mean course, in H. Angular velocities are in upright axes with the ship's own
+  // heading, to first order H.
+  Vec6 eta = Vec6::Zero();        ///< surge, sway, heave of G [m]; roll, pitch, yaw [rad]
+  Vec6 etaDot = Vec6::Zero();     ///< η̇ [m/s, rad/s], mean over the tick that ended at t_n
+  Vec6 etaDotNow = Vec6::Zero();  ///< η̇ at t_n
+
+  // The water.
+  const SeaState* sea = nullptr;      ///< waves; null: calm water
+  double ramp = 1.0;                  ///< growth factor of the waves at t_n, 0..1
+  std::span<const Phasors4> phasors;  ///< SeaState::phasors at t_n and the mean place
+};
+
+/// One part of the load on a ship: radiation, a rudder, wind. Parts do not know each other.
+/// Acceleration is no input, so added mass cannot be a part: plugin/AddedMassConstraint.h carries it.
 class ForceGenerator {
  public:
   virtual ~ForceGenerator() = default;
-  /// Force [N] and moment about G [N·m] in H. Called once per tick, in order of time. No
-  /// allocation.
-  virtual Vec6 at(const ShipMotion& motion) noexcept = 0;
+  /// "radiation": key of queries, prefix of CSV columns. The same for the part's whole life; letters,
+  /// digits and _ only.
+  virtual std::string_view name() const noexcept = 0;
+  /// The load at t_n. Called once a tick, in order of time; may advance the part's own state.
+  /// Allocates nothing. A load that is not finite is left out of that tick and reported.
+  virtual Wrench evaluate(const TickInput& now) noexcept = 0;
+
+  /// Makes what depends on the length of the tick [s]: before the first tick, and when it changes.
+  /// May allocate.  @throws HydroError.
+  virtual void prepare(double /*step*/) {}
+  /// Forgets the past: as if on the mean course, at rest about it, for ever.
+  virtual void reset() noexcept {}
+
+  /// Exact state as numbers: restore(what save() gave) has the same bits ever after. A part without
+  /// state needs none of these.
+  virtual std::size_t stateSize() const noexcept { return 0; }
+  /// @pre state.size() == stateSize().
+  virtual void save(std::span<double> /*state*/) const noexcept {}
+  /// Whether these numbers are a state of this part, as it is now.
+  virtual bool fits(std::span<const double> state) const noexcept {
+    return state.size() == stateSize();
+  }
+  /// @pre fits(state).
+  virtual void restore(std::span<const double> /*state*/) noexcept {}
+
+  /// Names of the parts that this one stands for: they are not evaluated while it is on.
+  virtual std::span<const std::string_view> replaces() const noexcept { return {}; }
+  /// True: this part holds the ship up against its weight. If its load is not finite, the weight is
+  /// left out of that tick as well.
+  virtual bool carriesWeight() const noexcept { return false; }
 };
 
 }  // namespace cutwater

@@ -28,7 +28,7 @@ void MeanCourse::Follower::follow(double rate, double step, double error,
   place += step * velocity;
 }
 
-void MeanCourse::advance(double step, const Sight& ship) noexcept {
+void MeanCourse::advance(double step, const Observed& ship) noexcept {
   const double seen[3] = {ship.x, ship.y, ship.heading};
   const double velocity[3] = {ship.velocityX, ship.velocityY, ship.turnRate};
   for (int i = 0; i < 3; ++i) {

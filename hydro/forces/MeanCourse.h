@@ -39,13 +39,13 @@ class MeanCourse {
   void reset(double x, double y, double heading, double speed, double turnRate = 0.0) noexcept;
 
   /// Where the ship is at the end of a tick, and her mean velocity over it.
-  struct Sight {
+  struct Observed {
     double x, y, heading;                   ///< [m], [rad] modulo 2π
     double velocityX, velocityY, turnRate;  ///< [m/s] in E, [rad/s]
   };
   /// One tick of `step` [s]. Semi-implicit, stable for ν·step < 1; a ship in steady motion at the
-  /// place of the mean is followed without error. A sight that is not finite is not looked at.
-  void advance(double step, const Sight& ship) noexcept;
+  /// place of the mean is followed without error. Non-finite input is ignored.
+  void advance(double step, const Observed& ship) noexcept;
 
   /// Exact state.
   static constexpr std::size_t kStateSize = 10;

@@ -135,10 +135,14 @@ void Convolution::save(std::span<double> state) const noexcept {
   }
 }
 
+bool Convolution::fits(std::span<const double> state) const noexcept {
+  return state.size() == stateSize() && state[0] == weights_->step() && state[1] >= 0.0 &&
+         state[1] < static_cast<double>(weights_->ring());
+}
+
 void Convolution::restore(std::span<const double> state) {
   const std::size_t ring = weights_->ring();
-  if (state.size() != stateSize() || state[0] != weights_->step() ||
-      !(state[1] >= 0.0 && state[1] < static_cast<double>(ring))) {
+  if (!fits(state)) {
     throw HydroError(Fault::BadArgument,
                      fmt::format("Convolution::restore: state of {} numbers, this memory of {} "
                                  "ticks of {} s has {}",

@@ -66,6 +66,7 @@ class Convolution final : public RadiationMemory {
   void reset() noexcept override;
   std::size_t stateSize() const noexcept override { return 2 + 6 * weights_->ring(); }
   void save(std::span<double> state) const noexcept override;
+  bool fits(std::span<const double> state) const noexcept override;
   void restore(std::span<const double> state) override;
 
  private:

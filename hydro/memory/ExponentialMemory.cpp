@@ -99,8 +99,12 @@ void ExponentialMemory::save(std::span<double> state) const noexcept {
   std::copy(states_.begin(), states_.end(), state.begin() + 1);
 }
 
+bool ExponentialMemory::fits(std::span<const double> state) const noexcept {
+  return state.size() == stateSize() && state[0] == step_;
+}
+
 void ExponentialMemory::restore(std::span<const double> state) {
-  if (state.size() != stateSize() || state[0] != step_) {
+  if (!fits(state)) {
     throw HydroError(Fault::BadArgument,
                      fmt::format("ExponentialMemory::restore: state of {} numbers, this memory "
                                  "with ticks of {} s has {}",

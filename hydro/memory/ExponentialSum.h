@@ -69,6 +69,7 @@ class ExponentialMemory final : public RadiationMemory {
   void reset() noexcept override;
   std::size_t stateSize() const noexcept override { return 1 + states_.size(); }
   void save(std::span<double> state) const noexcept override;
+  bool fits(std::span<const double> state) const noexcept override;
   void restore(std::span<const double> state) override;
 
  private:

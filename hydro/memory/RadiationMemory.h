@@ -31,7 +31,9 @@ class RadiationMemory {
   virtual std::size_t stateSize() const noexcept = 0;
   /// @pre state.size() == stateSize().
   virtual void save(std::span<double> state) const noexcept = 0;
-  /// @throws HydroError BadArgument if it was taken of another memory or tick.
+  /// Whether these numbers are a state of this memory, at its length of tick.
+  virtual bool fits(std::span<const double> state) const noexcept = 0;
+  /// @throws HydroError BadArgument unless fits(state).
   virtual void restore(std::span<const double> state) = 0;
 };
 

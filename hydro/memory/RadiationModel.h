@@ -4,15 +4,10 @@
 
 #include "hydro/memory/Convolution.h"
 #include "hydro/memory/ExponentialSum.h"
+#include "hydro/memory/MemoryModel.h"
 #include "hydro/memory/RetardationMatrix.h"
 
 namespace cutwater {
-
-/// How the radiated waves are remembered.
-enum class MemoryModel {
-  Exponential,  ///< a sum of damped oscillations (ExponentialSum.h); the default
-  Convolution   ///< the convolution itself (Convolution.h): the oracle, slower by ten and more
-};
 
 /// What all ships of one database share of their radiation: retardation functions, the fit, b/U and c/U².
 /// Made once, a quarter of a second for 60 frequencies; then immutable but for tables that are made when

@@ -22,11 +22,21 @@ constexpr std::size_t kBlock = kPhase + kLanes;
 /// Σ a cos(ω t − k_x x − k_y y + ε) over blocks of four.
 CUTWATER_VECTOR double sumOfWaves(const double* block, std::size_t count, double t, double x,
                                   double y) noexcept {
-  Four sum = {};
+  Double4 sum = {};
   for (std::size_t i = 0; i < count; ++i, block += kBlock) {
-    sum += loadFour(block + kPhase) * sineCosine(phaseAt(block, t, x, y)).cosine;
+    sum += load4(block + kPhase) * sineCosine(phaseAt(block, t, x, y)).cosine;
   }
   return sumOf(sum);
+}
+
+/// e^{i(ω t − k_x x − k_y y + ε)} of blocks of four.
+CUTWATER_VECTOR void phasorsOf(const double* block, std::size_t count, double t, double x, double y,
+                               Phasors4* out) noexcept {
+  for (std::size_t i = 0; i < count; ++i, block += kBlock) {
+    const auto [sine, cosine] = sineCosine(phaseAt(block, t, x, y));
+    store4(out[i].re, cosine);
+    store4(out[i].im, sine);
+  }
 }
 
 }  // namespace
@@ -60,6 +70,12 @@ double SeaState::ramp(double t) const noexcept {
 
 double SeaState::elevation(double t, double x, double y) const noexcept {
   return ramp(t) * sumOfWaves(blocks_.data(), blocks_.size() / kBlock, t, x, y);
+}
+
+std::size_t SeaState::phasorBlocks() const noexcept { return blocks_.size() / kBlock; }
+
+void SeaState::phasors(double t, double x, double y, std::span<Phasors4> out) const noexcept {
+  phasorsOf(blocks_.data(), std::min(out.size(), phasorBlocks()), t, x, y, out.data());
 }
 
 // A crest moves forward: u = a ω e^{kz} cos θ along the wave, w = −a ω e^{kz} sin θ.

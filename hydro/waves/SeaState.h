@@ -15,6 +15,11 @@ struct WaveComponent {
   double heading = 0.0;    ///< β [rad]: travels towards (cos β, −sin β) in E
 };
 
+/// e^{iθ} of four waves, θ = ωt − k(x cos β − y sin β) + ε: what every linear wave load is a sum over.
+struct alignas(32) Phasors4 {
+  double re[4], im[4];
+};
+
 /// A sum of regular waves, grown smoothly from rest over `ramp` seconds. Immutable.
 class SeaState {
  public:
@@ -33,6 +38,11 @@ class SeaState {
   double ramp(double t) const noexcept;
   /// ζ [m] at time t [s] and earth position x, y [m]. No allocation; O(components).
   double elevation(double t, double x, double y) const noexcept;
+  /// How many Phasors4 hold all components; those of the last that are no component are e^{0}.
+  std::size_t phasorBlocks() const noexcept;
+  /// Phasors of all components at time t and x, y, in their order. No allocation; O(components).
+  /// @pre out.size() == phasorBlocks().
+  void phasors(double t, double x, double y, std::span<Phasors4> out) const noexcept;
   /// Velocity of the water [m/s] in E at x, y and z ≤ 0 (above calm water: that at z = 0); the linear theory
   /// of deep water. No allocation; O(components).
   Vec3 velocity(double t, const Vec3& place) const noexcept;

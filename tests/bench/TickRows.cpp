@@ -4,12 +4,17 @@
 #include <utility>
 
 #include "demos/scenes/BulletWorld.h"
+#include "hydro/forces/Hydrodynamics.h"
+#include "hydro/forces/linear/Radiation.h"
 #include "hydro/waves/Spectrum.h"
 #include "plugin/Seaway.h"
 #include "tests/bench/Rows.h"
+#include "tests/forces/WaveLoads.h"
 
 namespace cutwater::bench {
 namespace {
+
+using Shared = std::shared_ptr<const Hydrodynamics>;
 
 constexpr double kTick60 = 1.0 / 60.0;
 
@@ -22,14 +27,14 @@ SeaState sea(int components) {
 
 /// Ships on a line, 200 m apart, in a world of their own.
 struct Fleet {
-  Fleet(const Coefficients& coefficients, int ships, int components, const ShipSettings& settings,
+  Fleet(const Shared& ship, int ships, int components, const ShipSettings& settings,
         unsigned threads = 1)
       : seaway(bullet.world, sea(components)) {
     seaway.setThreads(threads);
     for (int i = 0; i < ships; ++i) {
       ShipSettings one = settings;
-      one.y = 200.0 * i;
-      seaway.addShip(coefficients, one);
+      one.start.y = 200.0 * i;
+      seaway.addShip(ship, one);
     }
   }
   void step(int ticks, double tick) {
@@ -65,13 +70,13 @@ double drySeconds(int bodies, int ticks) {
   return seconds;
 }
 
-Row rowOf(const std::string& name, const Coefficients& c) {
-  Row row{name, c.ship.wetSurface.faces.size(), 1};
+Row rowOf(const std::string& name, const Shared& c) {
+  Row row{name, c->ship().wetSurface.faces.size(), 1};
   return row;
 }
 
 /// One tick of one ship, Bullet included; the floor is Bullet with a plain body.
-void benchTick(std::string& csv, const std::string& name, const Coefficients& c, int components,
+void benchTick(std::string& csv, const std::string& name, const Shared& c, int components,
                double budget, const ShipSettings& settings = {}) {
   constexpr int kTicks = 20000;
   Fleet fleet(c, 1, components, settings);
@@ -85,7 +90,7 @@ void benchTick(std::string& csv, const std::string& name, const Coefficients& c,
 }
 
 /// Our share of a tick without Bullet's step: beginTick and endTick of one ship.
-void benchShare(std::string& csv, const std::string& name, const Coefficients& c, int components,
+void benchShare(std::string& csv, const std::string& name, const Shared& c, int components,
                 double budget, const ShipSettings& settings = {}) {
   constexpr int kTicks = 50000;
   Fleet fleet(c, 1, components, settings);
@@ -101,15 +106,15 @@ void benchShare(std::string& csv, const std::string& name, const Coefficients& c
                 }) /
                 kTicks;
   row.budget = budget;
-  row.checksum = ship.lastTick().forces.radiation.allFinite() ? 1.0 : 0.0;
+  row.checksum = ship.load("radiation").allFinite() ? 1.0 : 0.0;
   add(csv, row);
 }
 
 template <class Work>
-void benchPart(std::string& csv, const std::string& name, const Coefficients& c, Work work) {
+void benchPart(std::string& csv, const std::string& name, const Shared& c, Work work) {
   constexpr int kTimes = 100000;
   Row row = rowOf(name, c);
-  ShipMotion motion;
+  TickInput motion;
   motion.etaDot << 0.1, 0.2, 0.3, 0.01, 0.02, 0.03;
   motion.etaDotNow = motion.etaDot;
   row.seconds = secondsOf([&] {
@@ -123,36 +128,39 @@ void benchPart(std::string& csv, const std::string& name, const Coefficients& c,
   add(csv, row);
 }
 
-void benchParts(std::string& csv, const Coefficients& c) {
+std::shared_ptr<const SeaTables> tablesOf(const Shared& c, int components) {
+  return std::make_shared<const SeaTables>(c, std::make_shared<const SeaState>(sea(components)));
+}
+
+void benchParts(std::string& csv, const Shared& c) {
   for (const int components : {1, 20, 200}) {
-    ExcitationForce force(c, sea(components), 0.3, 5.0);
+    test::WaveLoads loads(tablesOf(c, components), {0.3, 5.0}, false);
     benchPart(csv, "tick: excitation, components " + std::to_string(components), c,
-              [&](ShipMotion& m) { return force.at(m); });
+              [&](TickInput& m) { return loads.evaluate(m); });
   }
   {
-    ExcitationForce force(std::make_shared<ExcitationTable>(c, sea(200)), 0.3, 5.0);
-    benchPart(csv, "tick: excitation, components 200, while turning 1 deg/s", c,
-              [&](ShipMotion& m) {
-                m.meanHeading += 1.7e-2 * kTick60;
-                return force.at(m);
-              });
+    test::WaveLoads loads(tablesOf(c, 200), {0.3, 5.0}, true);
+    benchPart(csv, "tick: excitation, components 200, while turning 1 deg/s", c, [&](TickInput& m) {
+      m.meanHeading += 1.7e-2 * kTick60;
+      return loads.evaluate(m);
+    });
   }
   for (const MemoryModel memory : {MemoryModel::Exponential, MemoryModel::Convolution}) {
     const std::string name = memory == MemoryModel::Exponential ? "tick: radiation, exponential sum"
                                                                 : "tick: radiation, convolution";
-    auto model = std::make_shared<RadiationModel>(c, memory);
     for (const double speed : {0.0, 10.0}) {
-      RadiationForce force(model, kTick60);
-      benchPart(csv, name + (speed > 0.0 ? ", under way" : ", at rest"), c, [&](ShipMotion& m) {
+      Radiation part(c->radiation(memory));
+      part.prepare(kTick60);
+      benchPart(csv, name + (speed > 0.0 ? ", under way" : ", at rest"), c, [&](TickInput& m) {
         m.speed = speed;
-        return force.at(m);
+        return part.evaluate(m).load;
       });
     }
   }
 }
 
 /// One second of a fleet at 60 Hz; the floor is Bullet with as many plain bodies.
-void benchFleet(std::string& csv, const std::string& name, const Coefficients& c, int ships,
+void benchFleet(std::string& csv, const std::string& name, const Shared& c, int ships,
                 int components, const ShipSettings& settings, unsigned threads = 1) {
   constexpr int kTicks = 60;
   Fleet fleet(c, ships, components, settings, threads);
@@ -168,14 +176,15 @@ void benchFleet(std::string& csv, const std::string& name, const Coefficients& c
 
 }  // namespace
 
-void benchTimeDomain(std::string& csv, const Coefficients& c) {
+void benchTimeDomain(std::string& csv, const Coefficients& coefficients) {
+  const auto c = std::make_shared<const Hydrodynamics>(coefficients);
   ShipSettings free;
-  free.mean = Mean::Filtered;
-  free.speed = 8.0;
-  free.keepSpeed = SpeedKeeper{.speed = 8.0};
-  free.keepCourse = CourseKeeper{};
+  free.model.mean = Mean::Filtered;
+  free.start.speed = 8.0;
+  free.model.keepSpeed = SpeedKeeper{.speed = 8.0};
+  free.model.keepCourse = CourseKeeper{};
   ShipSettings oracle;
-  oracle.memory = MemoryModel::Convolution;
+  oracle.model.memory = MemoryModel::Convolution;
   benchShare(csv, "linear ship, one tick, 6 modes, 200 wave components", c, 200, 2e-6);
   benchShare(csv, "linear ship, one tick, 6 modes, regular wave", c, 1, 2e-6);
   benchShare(csv, "linear ship, one tick, convolution, 200 wave components", c, 200, 0.0, oracle);

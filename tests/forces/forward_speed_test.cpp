@@ -4,9 +4,10 @@
 
 #include "hydro/Errors.h"
 #include "hydro/database/ForwardSpeed.h"
-#include "hydro/forces/linear/Excitation.h"
+#include "hydro/excitation/WaveExcitation.h"
 #include "hydro/response/FrequencyResponse.h"
 #include "tests/forces/BoxShip.h"
+#include "tests/forces/WaveLoads.h"
 
 namespace cutwater {
 namespace {
@@ -217,18 +218,18 @@ TEST(WaveExcitation, TableRefusesOtherSpeedsAndTheOtherForm) {
   EXPECT_THROW(WaveExcitation(nothing).at(1.0, kPi, 5.0), HydroError);
 }
 
-TEST(ExcitationForceIdentity, AShipUnderWayMeetsThePhasesAtTheEncounterFrequency) {
+TEST(WaveForceIdentity, AShipUnderWayMeetsThePhasesAtTheEncounterFrequency) {
   const Coefficients ship = movingBox();
   const double omega = 1.9, beta = 0.3, speed = 7.0, t = 5.3;
   const double omegaE = encounterFrequency(omega, speed, beta, kBoxGravity);
   ASSERT_LT(omegaE, 0.0);
-  ExcitationForce force(ship, SeaState({{omega, 0.5, 0.2, beta}}, kBoxGravity), 0.0, speed);
-  ShipMotion motion;
-  motion.time = t;
-  motion.meanX = speed * t;
+  test::WaveLoads loads(ship, SeaState({{omega, 0.5, 0.2, beta}}, kBoxGravity), {0.0, speed});
+  TickInput now;
+  now.time = t;
+  now.meanX = speed * t;
   const CVec6 amplitude = WaveExcitation(ship).at(omega, beta, speed).total();
   const Vec6 expected = (std::polar(0.5, omegaE * t + 0.2) * amplitude).real();
-  EXPECT_LT((force.at(motion) - expected).norm(), 1e-12 * amplitude.norm());
+  EXPECT_LT((loads.evaluate(now) - expected).norm(), 1e-12 * amplitude.norm());
 }
 
 TEST(FrequencyResponseIdentity, SolvesTheEquationOfMotionAtSpeedAlsoWhenOvertaking) {

@@ -14,7 +14,7 @@ struct Scene {
                  Coefficients ship = hemisphere())
       : coefficients(std::move(ship)), seaway(world.world, std::move(sea)) {
     ShipSettings settings = start;
-    settings.shape = &shape;
+    settings.collision.shape = &shape;
     sphere = &seaway.addShip(coefficients, settings);
   }
   void run(int ticks, btScalar step = kTick, int perCall = 1) {

@@ -45,7 +45,7 @@ TEST(Allocation, NoneInATickOnceAllIsWarm) {
     Seaway seaway(world.world, SeaState({{.omega = 1.0, .amplitude = 0.5, .heading = 2.0}},
                                         kSphereGravity, 5.0));
     for (int i = 0; i < 5; ++i) {
-      seaway.addShip(coefficients, {.x = 64.0 * i, .shape = &shape});
+      seaway.addShip(coefficients, {.start = {.x = 64.0 * i}, .collision = {.shape = &shape}});
     }
     Recorder recorder(seaway, *seaway.ships().front(), {.forces = true});
     recorder.reserve(1000);

@@ -24,8 +24,8 @@ struct Carrier {
     expected[Heave] = -weight / stiffness(Heave, Heave);
     expected[Roll] = -weight * place.y() / (stiffness(Roll, Roll) - weight * place.z());
     ShipSettings settings;
-    settings.offset = expected;
-    settings.shape = &deck;
+    settings.start.offset = expected;
+    settings.collision.shape = &deck;
     ship = &seaway.addShip(coefficients, settings);
     ship->body().setFriction(1);
   }

@@ -35,7 +35,7 @@ double contactImpulse(btDispatcher& dispatcher) {
 Drift drift(int iterations, int ticks, double gap, int perCall = 1) {
   const double speed = 0.3;
   ShipSettings settings;
-  settings.velocity[Sway] = -speed;
+  settings.start.velocity[Sway] = -speed;
   Scene scene(settings);
   scene.world.world.getSolverInfo().m_numIterations = iterations;
   btBoxShape wall(btVector3(50, 1, 50));
@@ -44,9 +44,8 @@ Drift drift(int iterations, int ticks, double gap, int perCall = 1) {
       btTransform(btQuaternion::getIdentity(), btVector3(0, btScalar(-6.0 - gap), 0)));
   scene.world.world.addRigidBody(&quay);
   scene.sphere->body().setFriction(0);
-  const double inertia = scene.coefficients.ship.mass + scene.coefficients.addedMassInf(Sway, Sway);
   Drift result;
-  result.first = inertia * speed;
+  result.first = -scene.sphere->momentum()[Sway];
   double water = 0.0;
   for (int i = 0; i < ticks; i += perCall) {
     const double before = -scene.sphere->velocity()[Sway];
@@ -54,15 +53,15 @@ Drift drift(int iterations, int ticks, double gap, int perCall = 1) {
     const double now = contactImpulse(scene.world.dispatcher);  // of the last tick
     if (result.taken == 0.0) result.atBlow = before;
     result.taken += now;
-    water -= static_cast<double>(kTick) * scene.sphere->lastTick().forces.radiation[Sway];
-    const double v = -scene.sphere->velocity()[Sway];
+    water -= static_cast<double>(kTick) * scene.sphere->load("radiation")[Sway];
+    const double v = -scene.sphere->velocity()[Sway], left = -scene.sphere->momentum()[Sway];
     if (result.blow == 0.0 && result.taken > 0.0 && v < 0.01 * result.atBlow) {
       result.blow = result.taken;
     }
-    result.lost = std::max(
-        result.lost, std::abs(inertia * v + result.taken - water - result.first) / result.first);
+    result.lost =
+        std::max(result.lost, std::abs(left + result.taken - water - result.first) / result.first);
     result.energy = std::max(result.energy, v * v / (speed * speed));
-    result.left = inertia * v;
+    result.left = left;
   }
   result.velocity = velocityOf(scene.sphere->body());
   scene.world.world.removeRigidBody(&quay);

@@ -16,17 +16,6 @@ struct Afloat {
   void run(int ticks) {
     for (int i = 0; i < ticks; ++i) world.world.stepSimulation(kTick, 1, kTick);
   }
-  // ½vᵀ(M + A)v + ½ηᵀCη in her own axes.
-  double energy() const {
-    const ShipParticulars& p = coefficients.ship;
-    const Vec6 v = ship->lastTick().velocity;
-    Vec6 eta = Vec6::Zero();
-    eta[Heave] = ship->lastTick().position.z() - p.cog.z();
-    eta.tail<3>() = ship->lastTick().attitude;
-    eta[Yaw] = 0.0;
-    const Mat6 mass = p.massMatrix() + coefficients.addedMassInf;
-    return 0.5 * v.dot(mass * v) + 0.5 * eta.dot(p.restoring * eta);
-  }
   TestWorld world{kSphereGravity};
   Coefficients coefficients = slenderShip();
   Seaway seaway;
@@ -35,9 +24,9 @@ struct Afloat {
 
 ShipSettings underWay(double speed, Mean mean) {
   ShipSettings settings;
-  settings.heading = 0.4;
-  settings.speed = speed;
-  settings.mean = mean;
+  settings.start.heading = 0.4;
+  settings.start.speed = speed;
+  settings.model.mean = mean;
   return settings;
 }
 
@@ -55,7 +44,7 @@ TEST(FreeShipIdentity, InCalmWaterSheKeepsHerSpeedAndCourse) {
 
 TEST(FreeShipIdentity, RestrainedOnAMovingCourseSheStaysOnIt) {
   ShipSettings settings = underWay(8.0, Mean::Fixed);
-  settings.restrained = {true, true, false, false, false, true};
+  settings.model.restrained = {true, true, false, false, false, true};
   Afloat scene(settings);
   double away = 0.0;
   for (int i = 0; i < 640; ++i) {
@@ -78,11 +67,11 @@ TEST(FreeShipIdentity, CoastingAndTurningSheGainsNoEnergy) {
     scene.run(1);
   }
   EXPECT_GT(std::abs(scene.ship->attitude()[2] - 0.4), 0.3);
-  const double start = scene.energy();
+  const double start = scene.ship->energy();
   double largest = 0.0, least = start, rise = 0.0;
   for (int i = 0; i < 64 * 600; ++i) {
     scene.run(1);
-    const double now = scene.energy();
+    const double now = scene.ship->energy();
     largest = std::max(largest, now);
     least = std::min(least, now);
     rise = std::max(rise, now - least);
@@ -98,10 +87,10 @@ TEST(FreeShipIdentity, CoastingAndTurningSheGainsNoEnergy) {
 // Without anything that damps leeway or yaw she is broadside in no time, but comes to a bounded motion.
 TEST(FreeShip, WithoutHullLiftMunksMomentTurnsHer) {
   ShipSettings settings = underWay(8.0, Mean::Filtered);
-  settings.velocity[Yaw] = 0.002;
-  settings.hullLift = false;
+  settings.start.velocity[Yaw] = 0.002;
+  settings.model.hullLift = false;
   Afloat bare(settings);
-  settings.hullLift = true;
+  settings.model.hullLift = true;
   Afloat lifted(settings);
   bare.run(64 * 60);
   lifted.run(64 * 60);
@@ -111,8 +100,8 @@ TEST(FreeShip, WithoutHullLiftMunksMomentTurnsHer) {
 
 TEST(FreeShip, KeepersBringHerToSpeedAndCourseWithinTheirLimits) {
   ShipSettings settings = underWay(0.0, Mean::Filtered);
-  settings.keepSpeed = SpeedKeeper{.speed = 8.0};
-  settings.keepCourse = CourseKeeper{.heading = 0.4};
+  settings.model.keepSpeed = SpeedKeeper{.speed = 8.0};
+  settings.model.keepCourse = CourseKeeper{.heading = 0.4};
   Afloat scene(settings);
   scene.run(64 * 400);
   EXPECT_NEAR(scene.ship->velocity()[0], 8.0, 0.05);
@@ -121,8 +110,8 @@ TEST(FreeShip, KeepersBringHerToSpeedAndCourseWithinTheirLimits) {
   double thrust = 0.0, moment = 0.0;
   for (int i = 0; i < 64 * 400; ++i) {
     scene.run(1);
-    thrust = std::max(thrust, scene.ship->lastTick().forces.supplementary.head<2>().norm());
-    moment = std::max(moment, std::abs(scene.ship->lastTick().forces.supplementary[Yaw]));
+    thrust = std::max(thrust, scene.ship->load("autopilots").head<2>().norm());
+    moment = std::max(moment, std::abs(scene.ship->load("autopilots")[Yaw]));
   }
   EXPECT_NEAR(scene.ship->attitude()[2], 0.4 + kPi / 2, 0.01);
   EXPECT_NEAR(scene.ship->velocity()[0], 8.0, 0.1);
@@ -135,8 +124,8 @@ TEST(FreeShip, KeepersBringHerToSpeedAndCourseWithinTheirLimits) {
 // An hour of orders: no force jumps between two ticks by more than a trifle of her weight.
 TEST(FreeShip, SpeedsUpTurnsAndStopsForAnHourWithoutAJump) {
   ShipSettings settings = underWay(5.0, Mean::Filtered);
-  settings.keepSpeed = SpeedKeeper{.speed = 5.0};
-  settings.keepCourse = CourseKeeper{.heading = 0.4};
+  settings.model.keepSpeed = SpeedKeeper{.speed = 5.0};
+  settings.model.keepCourse = CourseKeeper{.heading = 0.4};
   const SeaState sea({{.omega = 0.7, .amplitude = 0.5, .phase = 0.3, .heading = 2.0},
                       {.omega = 0.9, .amplitude = 0.4, .phase = 1.3, .heading = 2.6}},
                      kSphereGravity, 30.0);
@@ -150,8 +139,10 @@ TEST(FreeShip, SpeedsUpTurnsAndStopsForAnHourWithoutAJump) {
     if (second % 200 == 100) scene.ship->keepCourse({.heading = 0.4 + 0.5 * (second / 200 % 5)});
     for (int i = 0; i < 64; ++i) {
       scene.run(1);
-      const ForceParts& p = scene.ship->lastTick().forces;
-      const Vec3 now = (p.radiation + p.froudeKrylov + p.diffraction).head<3>();
+      const Ship& ship = *scene.ship;
+      const Vec3 now =
+          (ship.load("radiation") + ship.load("froude_krylov") + ship.load("diffraction"))
+              .head<3>();
       if (second > 0) jump = std::max(jump, (now - before - change).norm() / weight);
       change = now - before;
       before = now;
@@ -167,8 +158,8 @@ TEST(FreeShip, SpeedsUpTurnsAndStopsForAnHourWithoutAJump) {
 
 TEST(FreeShip, SnapshotsOfAFreeShipGiveTheSameBits) {
   ShipSettings settings = underWay(6.0, Mean::Filtered);
-  settings.keepSpeed = SpeedKeeper{.speed = 7.0};
-  settings.keepCourse = CourseKeeper{.heading = 1.4};
+  settings.model.keepSpeed = SpeedKeeper{.speed = 7.0};
+  settings.model.keepCourse = CourseKeeper{.heading = 1.4};
   Afloat scene(settings, waves()), twin(settings, waves());
   scene.run(500);
   Seaway::Snapshot saved;
@@ -188,8 +179,8 @@ TEST(FreeShip, SnapshotsOfAFreeShipGiveTheSameBits) {
 TEST(FreeShip, RollbackWhileTwoShipsTouchGivesTheSameBits) {
   Afloat scene(underWay(4.0, Mean::Filtered));
   ShipSettings other = underWay(-4.0, Mean::Filtered);
-  other.x = 119.0 * std::cos(0.4);
-  other.y = 119.0 * std::sin(0.4) + 2.0;
+  other.start.x = 119.0 * std::cos(0.4);
+  other.start.y = 119.0 * std::sin(0.4) + 2.0;
   Ship& second = scene.seaway.addShip(scene.coefficients, other);
   const auto touching = [&] {
     return scene.world.dispatcher.getNumManifolds() > 0 &&
@@ -212,10 +203,10 @@ TEST(FreeShip, RollbackWhileTwoShipsTouchGivesTheSameBits) {
 
 TEST(FreeShip, BothMemoriesMoveHerAlike) {
   ShipSettings settings = underWay(6.0, Mean::Filtered);
-  settings.offset[Heave] = 1.0;
-  settings.velocity[Yaw] = 0.01;
+  settings.start.offset[Heave] = 1.0;
+  settings.start.velocity[Yaw] = 0.01;
   Afloat fast(settings);
-  settings.memory = MemoryModel::Convolution;
+  settings.model.memory = MemoryModel::Convolution;
   Afloat oracle(settings);
   fast.run(64 * 30);
   oracle.run(64 * 30);
@@ -226,7 +217,7 @@ TEST(FreeShip, BothMemoriesMoveHerAlike) {
 
 TEST(FreeShipClosedForm, PointsMoveAsPointsOfARigidBody) {
   ShipSettings settings = underWay(6.0, Mean::Fixed);
-  settings.offset[Pitch] = 0.05;
+  settings.start.offset[Pitch] = 0.05;
   Afloat scene(settings);
   scene.run(100);
   const Vec3 bow(55, 0, 6);

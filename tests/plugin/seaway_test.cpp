@@ -27,8 +27,9 @@ Vec6 dropIn(btDiscreteDynamicsWorld& world) {
   btSphereShape shape(5);
   const Coefficients coefficients = hemisphere();
   Seaway seaway(world);
-  const Ship& sphere =
-      seaway.addShip(coefficients, {.heading = 0.3, .offset = one(Heave, 1.0), .shape = &shape});
+  const Ship& sphere = seaway.addShip(
+      coefficients,
+      {.start = {.heading = 0.3, .offset = one(Heave, 1.0)}, .collision = {.shape = &shape}});
   run(world, 128);
   EXPECT_EQ(seaway.faults(), kStepOk);
   return sphere.motion();
@@ -104,7 +105,8 @@ TEST(Seaway, LeavesTheUsersCallbacksAndUserInfoAlone) {
   {
     Seaway seaway(plain.world);
     EXPECT_THROW(Seaway{plain.world}, HydroError);  // one per world
-    const Ship& sphere = seaway.addShip(coefficients, {.offset = one(Heave, 1.0), .shape = &shape});
+    const Ship& sphere = seaway.addShip(
+        coefficients, {.start = {.offset = one(Heave, 1.0)}, .collision = {.shape = &shape}});
     run(plain.world, 10);
     EXPECT_EQ(calls.before, 10);
     EXPECT_EQ(calls.after, 10);
@@ -119,7 +121,7 @@ TEST(Seaway, LeavesTheUsersCallbacksAndUserInfoAlone) {
     run(plain.world, 10);
     EXPECT_EQ(calls.late, 10);
     EXPECT_EQ(seaway.faults(), kCallbackReplaced);
-    EXPECT_NE(sphere.lastTick().forces.gravity[Heave], 0.0);
+    EXPECT_NE(sphere.load("gravity")[Heave], 0.0);
     EXPECT_EQ(sphere.lastTick().time, 19 / 64.0);
   }
   EXPECT_EQ(plain.world.getWorldUserInfo(), &calls);
@@ -147,7 +149,8 @@ Vec6 fallBeside(bool withShip) {
   std::unique_ptr<Seaway> seaway;
   if (withShip) {
     seaway = std::make_unique<Seaway>(plain.world);
-    seaway->addShip(coefficients, {.offset = one(Heave, 1.0), .shape = &shape});
+    seaway->addShip(coefficients,
+                    {.start = {.offset = one(Heave, 1.0)}, .collision = {.shape = &shape}});
   }
   for (int i = 0; i < 128; ++i) {
     box.applyCentralForce(btVector3(5, 0, 0));
@@ -165,7 +168,8 @@ TEST(SeawayIdentity, ShipsFarApartDoNotNoticeEachOther) {
   const Coefficients coefficients = hemisphere();
   btSphereShape shape(5);
   const auto settings = [&](double x) {
-    return ShipSettings{.x = x, .offset = one(Heave, 1.0), .shape = &shape};
+    return ShipSettings{.start = {.x = x, .offset = one(Heave, 1.0)},
+                        .collision = {.shape = &shape}};
   };
   TestWorld lonely(kSphereGravity), busy(kSphereGravity);
   Seaway one(lonely.world), many(busy.world);
@@ -191,13 +195,13 @@ TEST(Seaway, RefusesGravityThatDoesNotPointDown) {
   btSphereShape shape(5);
   const Coefficients coefficients = hemisphere();
   try {
-    seaway.addShip(coefficients, {.shape = &shape});
+    seaway.addShip(coefficients, {.collision = {.shape = &shape}});
     FAIL() << "y-up gravity was accepted";
   } catch (const HydroError& error) {
     EXPECT_EQ(error.fault(), Fault::ValueOutOfRange);
   }
   plain.world.setGravity(btVector3(0, 0, 0));
-  seaway.addShip(coefficients, {.shape = &shape});
+  seaway.addShip(coefficients, {.collision = {.shape = &shape}});
   run(plain.world, 4);
   EXPECT_EQ(seaway.faults(), kStepOk);
 }
@@ -207,7 +211,7 @@ TEST(Seaway, ABodyTakenOutOfTheWorldIsReported) {
   Seaway seaway(plain.world);
   btSphereShape shape(5);
   const Coefficients coefficients = hemisphere();
-  Ship& ship = seaway.addShip(coefficients, {.shape = &shape});
+  Ship& ship = seaway.addShip(coefficients, {.collision = {.shape = &shape}});
   run(plain.world, 2);
   plain.world.removeRigidBody(&ship.body());
   run(plain.world, 1);

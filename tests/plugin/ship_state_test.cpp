@@ -12,12 +12,12 @@ namespace cutwater::test {
 namespace {
 
 TEST(Ship, SnapshotAndRestoreGiveTheSameBits) {
-  Scene scene({.offset = one(Heave, 0.5)}, waves());
+  Scene scene({.start = {.offset = one(Heave, 0.5)}}, waves());
   scene.run(100);
   scene.sphere->body().applyCentralImpulse(btVector3(1e5, 2e4, 0));  // not yet met by the solver
   const Seaway::Snapshot saved = scene.seaway.save();
   scene.run(150);
-  Scene twin({.x = 900, .heading = 2.0}, waves());
+  Scene twin({.start = {.x = 900, .heading = 2.0}}, waves());
   twin.sphere->prepare(static_cast<double>(kTick));
   twin.seaway.restore(saved);
   twin.run(150);
@@ -30,7 +30,7 @@ TEST(Ship, SnapshotAndRestoreGiveTheSameBits) {
 }
 
 TEST(Ship, PlacedElsewhereSheIsAtRestThere) {
-  Scene scene({.offset = one(Heave, 1.0)});
+  Scene scene({.start = {.offset = one(Heave, 1.0)}});
   scene.run(100);
   scene.sphere->placeAt(400, -300, 0.5);
   EXPECT_LT(scene.sphere->motion().norm(), 1e3 * kEpsilon);
@@ -43,8 +43,8 @@ TEST(Ship, RestrainedModesStayAndTheOthersDoNotNotice) {
   const SeaState sea({{.omega = 1.0, .amplitude = 0.5, .heading = 2.5}}, kSphereGravity, 2.0);
   std::array<bool, 6> held{};
   held[Surge] = held[Yaw] = true;
-  Scene free({.x = 3, .heading = 0.2}, sea),
-      tied({.x = 3, .heading = 0.2, .restrained = held}, sea);
+  Scene free({.start = {.x = 3, .heading = 0.2}}, sea),
+      tied({.start = {.x = 3, .heading = 0.2}, .model = {.restrained = held}}, sea);
   double surge = 0.0, heave = 0.0;
   for (int i = 0; i < 640; ++i) {
     free.run(1);
@@ -72,7 +72,7 @@ TEST(Ship, TakesAUsersOwnBody) {
   EXPECT_THROW(seaway.addShip(coefficients, body), HydroError);  // not in the world yet
   world.world.addRigidBody(&body);
   Ship& ship = seaway.addShip(coefficients, body);
-  Scene made({.x = 4, .y = 5, .offset = one(Heave, 1.0)});
+  Scene made({.start = {.x = 4, .y = 5, .offset = one(Heave, 1.0)}});
   made.run(100);
   for (int i = 0; i < 100; ++i) world.world.stepSimulation(kTick, 1, kTick);
   EXPECT_TRUE(sameBits(body, made.sphere->body()));
@@ -115,7 +115,7 @@ TEST(Ship, LoadsThatAreNotFiniteAreReportedAndNotApplied) {
 }
 
 TEST(Ship, AnotherTickLengthRestartsTheMemoryAndSaysSo) {
-  Scene scene({.offset = one(Heave, 1.0)});
+  Scene scene({.start = {.offset = one(Heave, 1.0)}});
   scene.run(10);
   EXPECT_EQ(scene.seaway.faults(), kStepOk);
   scene.run(10, btScalar(1) / 50);

@@ -37,7 +37,8 @@ std::vector<Extremum> drop(btScalar step, double duration) {
   Seaway seaway(world.world);
   Vec6 raised = Vec6::Zero();
   raised[Heave] = 1.0;
-  Ship& sphere = seaway.addShip(coefficients, {.offset = raised, .shape = &shape});
+  Ship& sphere =
+      seaway.addShip(coefficients, {.start = {.offset = raised}, .collision = {.shape = &shape}});
   std::vector<double> z{sphere.motion()[Heave]};
   for (double t = 0.0; t < duration; t += static_cast<double>(step)) {
     world.world.stepSimulation(step, 1, step);

@@ -16,14 +16,14 @@ struct Measured {
     world.world.setGravity(frame.length(Vec3(0, 0, -kSphereGravity)));
     for (int i = 0; i < ships; ++i) {
       ShipSettings settings;
-      settings.x = 5.0;
-      settings.y = 200.0 * i;
-      settings.heading = 0.6 + 0.1 * i;
-      settings.speed = 4.0;
-      settings.mean = i % 2 == 0 ? Mean::Filtered : Mean::Fixed;
-      if (i % 2 == 1) settings.speed = 0.0;
-      settings.offset[Roll] = 0.1;
-      settings.keepCourse = CourseKeeper{.heading = 1.0};
+      settings.start.x = 5.0;
+      settings.start.y = 200.0 * i;
+      settings.start.heading = 0.6 + 0.1 * i;
+      settings.start.speed = 4.0;
+      settings.model.mean = i % 2 == 0 ? Mean::Filtered : Mean::Fixed;
+      if (i % 2 == 1) settings.start.speed = 0.0;
+      settings.start.offset[Roll] = 0.1;
+      settings.model.keepCourse = CourseKeeper{.heading = 1.0};
       seaway.addShip(coefficients, settings);
     }
     seaway.setThreads(threads);
@@ -96,9 +96,9 @@ TEST(Seaway, ShipsComeAndGoWhileItRuns) {
   scene.seaway.removeShip(scene.ship(1));
   scene.run(50);
   ShipSettings late;
-  late.x = -500.0;
-  late.speed = 5.0;
-  late.mean = Mean::Filtered;
+  late.start.x = -500.0;
+  late.start.speed = 5.0;
+  late.model.mean = Mean::Filtered;
   Ship& newcomer = scene.seaway.addShip(scene.coefficients, late);
   scene.run(50);
   EXPECT_EQ(scene.seaway.faults(), kStepOk);

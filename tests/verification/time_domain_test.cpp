@@ -6,13 +6,14 @@
 
 #include "hydro/bem/BuildCoefficients.h"
 #include "hydro/database/ForwardSpeed.h"
+#include "hydro/excitation/ExcitationTable.h"
 #include "hydro/excitation/WaveExcitation.h"
 #include "hydro/finish/ConsistentLimit.h"
-#include "hydro/forces/linear/Excitation.h"
 #include "hydro/geometry/shapes/Shapes.h"
 #include "hydro/memory/RadiationModel.h"
 #include "hydro/waves/Spectrum.h"
 #include "tests/bem/Frigate.h"
+#include "tests/forces/WaveLoads.h"
 #include "tests/support/Results.h"
 
 // What the time domain does at one frequency is what the database says of it, at every speed; and the
@@ -346,16 +347,15 @@ TEST(TimeDomainIdentity, AmplitudesFollowATurningShip) {
   const Coefficients c = readyForUse(solvedFrigate(224));
   const SeaState sea =
       makeSeaState(Spectrum{SpectrumShape::Jonswap, 4.0, 10.0, 3.3, kStandardGravity}, {});
-  const auto table = std::make_shared<ExcitationTable>(c, sea);
-  ExcitationForce turning(table, 0.0, 10.0), smooth(table, 0.0, 10.0);
+  const auto tables = WaveLoads::seaTablesOf(c, sea);
+  WaveLoads turning(tables, {0.0, 10.0}, true), smooth(tables, {0.0, 10.0}, true);
   Vec6 before = Vec6::Zero(), largest = before, jump = before, lagged = before;
-  ShipMotion motion;
-  motion.speed = 10.0;
+  TickInput now;
+  now.speed = 10.0;
   for (int n = 0; n < 9000; ++n) {
-    motion.time = 100.0 + n * kTick;
-    motion.meanHeading = n * kTick * kPi / 180.0;
-    smooth.renew(motion.meanHeading, 10.0);
-    const Vec6 exact = smooth.at(motion), lag = turning.at(motion) - exact;
+    now.time = 100.0 + n * kTick;
+    now.meanHeading = n * kTick * kPi / 180.0;
+    const Vec6 exact = smooth.evaluateAnew(now), lag = turning.evaluate(now) - exact;
     if (n > 0) jump = jump.cwiseMax((lag - before).cwiseAbs());
     lagged = lagged.cwiseMax(lag.cwiseAbs());
     largest = largest.cwiseMax(exact.cwiseAbs());

@@ -3,6 +3,7 @@
 
 #include "demos/cutwater/input/RunFile.h"
 #include "demos/scenes/BulletWorld.h"
+#include "hydro/forces/Hydrodynamics.h"
 #include "plugin/Seaway.h"
 
 namespace cutwater::command {
@@ -12,10 +13,11 @@ class RunShip {
  public:
   /// @param index  which of the run's wave frequencies.
   /// @throws HydroError.
-  RunShip(const RunFile& run, const Coefficients& coefficients, std::size_t index = 0)
-      : bullet_(coefficients.ship.gravity),
-        seaway_(bullet_.world, run.seaState(coefficients.ship.gravity, index)),
-        ship_(seaway_.addShip(coefficients, settings(run))),
+  RunShip(const RunFile& run, std::shared_ptr<const Hydrodynamics> hydrodynamics,
+          std::size_t index = 0)
+      : bullet_(hydrodynamics->ship().gravity),
+        seaway_(bullet_.world, run.seaState(hydrodynamics->ship().gravity, index)),
+        ship_(seaway_.addShip(std::move(hydrodynamics), {run.start, run.model, {}})),
         tick_(static_cast<btScalar>(run.tick)),
         substeps_(run.substeps) {}
 
@@ -28,20 +30,6 @@ class RunShip {
   Ship& ship() { return ship_; }
 
  private:
-  static ShipSettings settings(const RunFile& run) {
-    ShipSettings s;
-    s.offset = run.startOffset;
-    s.velocity = run.startVelocity;
-    s.restrained = run.restrained;
-    s.speed = run.speed;
-    s.mean = run.filtered ? Mean::Filtered : Mean::Fixed;
-    s.followTime = run.followTime;
-    s.memory = run.convolution ? MemoryModel::Convolution : MemoryModel::Exponential;
-    if (run.keepSpeed) s.keepSpeed = SpeedKeeper{.speed = run.speed};
-    if (run.keepCourse) s.keepCourse = CourseKeeper{.heading = run.startOffset[Yaw]};
-    return s;
-  }
-
   BulletWorld bullet_;
   Seaway seaway_;
   Ship& ship_;
@@ -49,7 +37,7 @@ class RunShip {
   int substeps_;
 };
 
-/// One line for the faults of a run, empty if there were none.
-std::string describeFaults(std::uint32_t faults);
+/// One line for the faults of a run, naming the part of the load that broke; empty if there were none.
+std::string describeFaults(RunShip& run);
 
 }  // namespace cutwater::command

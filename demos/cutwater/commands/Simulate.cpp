@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <optional>
 
 #include "demos/cutwater/commands/Commands.h"
 #include "demos/cutwater/commands/Precision.h"
@@ -10,12 +13,38 @@
 
 namespace cutwater::command {
 
-std::string describeFaults(std::uint32_t faults) {
+namespace {
+
+// What each part of the load did in this run, and what it cost.
+void printParts(const Recorder& recorder, const Ship& ship) {
+  const std::vector<std::string_view> parts = ship.parts();
+  const std::vector<double> costs = ship.costs();
+  const auto first = recorder.columns().size() - 6 * parts.size();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Vec6 mean = Vec6::Zero();
+    for (std::size_t row = 0; row < recorder.rows(); ++row) {
+      for (std::size_t j = 0; j < 6; ++j)
+        mean[static_cast<int>(j)] += recorder.at(row, first + 6 * i + j);
+    }
+    mean /= static_cast<double>(recorder.rows());
+    std::string line = fmt::format("{}: mean", parts[i]);
+    for (const double value : mean) line += fmt::format(" {:.5g}", value);
+    if (costs[i] > 0.0) line += fmt::format(", {:.0f} ns a tick", costs[i]);
+    fmt::print(stderr, "{}\n", line);
+  }
+}
+
+}  // namespace
+
+std::string describeFaults(RunShip& run) {
+  const std::uint32_t faults = run.seaway().faults();
+  const std::string part = run.ship().brokenPart();
   std::string line;
-  const auto add = [&](StepFault bit, const char* what) {
-    if ((faults & bit) != 0) line += (line.empty() ? "" : "; ") + std::string(what);
+  const auto add = [&](StepFault bit, const std::string& what) {
+    if ((faults & bit) != 0) line += (line.empty() ? "" : "; ") + what;
   };
-  add(kLoadNotFinite, "a load was not finite and was not applied");
+  add(kLoadNotFinite,
+      "a load was not finite and was not applied" + (part.empty() ? "" : " (" + part + ")"));
   add(kStateNotFinite, "the ship's position or velocity was not finite");
   add(kTickLengthChanged, "the tick length changed");
   add(kBodyNotInWorld, "the ship's body left the world");
@@ -32,8 +61,11 @@ void simulate(const std::string& path, bool forces, const std::string& out) {
     throw HydroError(Fault::ValueOutOfRange,
                      path + ": [waves] omega: simulate takes one frequency; `sweep` takes several");
   }
-  const Coefficients coefficients = readShipOfRun(run);
-  RunShip world(run, coefficients);
+  const auto ship = std::make_shared<const Hydrodynamics>(readShipOfRun(run));
+  std::optional<RunShip> made;
+  naming(path, [&] { made.emplace(run, ship); });
+  RunShip& world = *made;
+  world.ship().measureCosts(forces);
   Recorder recorder(world.seaway(), world.ship(), {.forces = forces});
   Progress progress("simulate");
   const auto rows = static_cast<std::size_t>(run.duration / run.tick + 1e-6) + 1;
@@ -42,9 +74,10 @@ void simulate(const std::string& path, bool forces, const std::string& out) {
     world.step();
     progress.at(static_cast<int>(std::min(recorder.rows(), rows)), static_cast<int>(rows));
   }
-  const std::string faults = describeFaults(world.seaway().faults());
+  const std::string faults = describeFaults(world);
   if (!faults.empty()) throw HydroError(Fault::ValueOutOfRange, path + ": " + faults);
   writeText(recorder.csv(), out);
+  if (forces) printParts(recorder, world.ship());
 }
 
 }  // namespace cutwater::command

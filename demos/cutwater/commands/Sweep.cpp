@@ -19,14 +19,16 @@ namespace cutwater::command {
 namespace {
 
 double encounterOf(const RunFile& run, const Coefficients& coefficients, std::size_t index) {
-  return encounterFrequency(run.omega[index], run.speed, run.heading, coefficients.ship.gravity);
+  return encounterFrequency(run.omega[index], run.start.speed, run.heading,
+                            coefficients.ship.gravity);
 }
 
 // Motions in one regular wave, per metre and relative to the wave's crest at G, fitted over the
 // second half.
-CVec6 motionInBullet(const RunFile& run, const Coefficients& coefficients, std::size_t index) {
-  const double omegaE = encounterOf(run, coefficients, index);
-  RunShip world(run, coefficients, index);
+CVec6 motionInBullet(const RunFile& run, const std::shared_ptr<const Hydrodynamics>& ship,
+                     std::size_t index) {
+  const double omegaE = encounterOf(run, ship->coefficients(), index);
+  RunShip world(run, ship, index);
   std::vector<double> time;
   std::array<std::vector<double>, 6> motion;
   while (world.seaway().time() < run.duration) {
@@ -36,8 +38,8 @@ CVec6 motionInBullet(const RunFile& run, const Coefficients& coefficients, std::
     const Vec6 eta = world.ship().motion();
     for (std::size_t j = 0; j < 6; ++j) motion[j].push_back(eta[static_cast<int>(j)]);
   }
-  const std::string faults = describeFaults(world.seaway().faults());
-  if (!faults.empty()) throw HydroError(Fault::ValueOutOfRange, run.path + ": " + faults);
+  const std::string faults = describeFaults(world);
+  if (!faults.empty()) throw HydroError(Fault::ValueOutOfRange, faults);
   CVec6 amplitude;
   const Complex unit = std::polar(run.amplitude, run.phase);
   for (std::size_t j = 0; j < 6; ++j) {
@@ -83,12 +85,13 @@ void keepWhatCanBeMet(RunFile& run, const Coefficients& coefficients) {
 }
 
 // Every wave in a Bullet world of its own, waves shared among threads.
-std::vector<CVec6> runAll(const RunFile& run, const Coefficients& coefficients, int threads) {
+std::vector<CVec6> runAll(const RunFile& run, const std::shared_ptr<const Hydrodynamics>& ship,
+                          int threads) {
   std::vector<CVec6> results(run.omega.size());
   std::atomic<int> done{0};
   Progress progress("sweep");
   parallelFor(results.size(), threads, [&](std::size_t i) {
-    results[i] = motionInBullet(run, coefficients, i);
+    results[i] = motionInBullet(run, ship, i);
     progress.at(++done, static_cast<int>(results.size()));
   });
   return results;
@@ -101,13 +104,15 @@ void sweep(const std::string& path, int threads, const std::string& out) {
   RunFile run = readRunFile(path);
   usePrecision(run.doublePrecision);
   check(run);
-  const Coefficients coefficients = readShipOfRun(run);
+  const auto ship = std::make_shared<const Hydrodynamics>(readShipOfRun(run));
+  const Coefficients& coefficients = ship->coefficients();
   keepWhatCanBeMet(run, coefficients);
-  const FrequencyResponse response(coefficients, run.restrained);
-  const std::vector<CVec6> inTime = runAll(run, coefficients, threads);
+  const FrequencyResponse response(coefficients, run.model.restrained);
+  std::vector<CVec6> inTime;
+  naming(path, [&] { inTime = runAll(run, ship, threads); });
   Csv csv("omega,omega_e,j,time_amplitude,time_phase_deg,freq_amplitude,freq_phase_deg");
   for (std::size_t i = 0; i < run.omega.size(); ++i) {
-    const CVec6 frequency = response.at(run.omega[i], run.heading, run.speed);
+    const CVec6 frequency = response.at(run.omega[i], run.heading, run.start.speed);
     const double omegaE = encounterOf(run, coefficients, i);
     for (int j = 0; j < 6; ++j) {
       csv.row({run.omega[i], omegaE, j + 1.0, std::abs(inTime[i][j]), phaseDegrees(inTime[i][j]),

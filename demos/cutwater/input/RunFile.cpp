@@ -96,31 +96,39 @@ void readStart(TomlSection start, RunFile& run) {
   const char* velocities[6] = {"u", "v", "w", "p", "q", "r"};
   for (int i = 0; i < 6; ++i) {
     const bool angle = i >= 3;
-    run.startOffset[i] = start.number(offsets[i], 0.0, angle ? -kTurn : -1e5, angle ? kTurn : 1e5);
-    if (angle) run.startOffset[i] *= kDegree;
-    run.startVelocity[i] = start.number(velocities[i], 0.0, -1e3, 1e3);
+    run.start.offset[i] = start.number(offsets[i], 0.0, angle ? -kTurn : -1e5, angle ? kTurn : 1e5);
+    if (angle) run.start.offset[i] *= kDegree;
+    run.start.velocity[i] = start.number(velocities[i], 0.0, -1e3, 1e3);
   }
   start.finish();
 }
 
 void readMotion(TomlSection motion, RunFile& run) {
-  run.speed = motion.number("speed", 0.0, -100.0, 100.0);
+  run.start.speed = motion.number("speed", 0.0, -100.0, 100.0);
   run.heading = kDegree * motion.number("heading_deg", 180.0, -kTurn, kTurn);
   if (motion.text("mode", "linear", {"linear", "nonlinear"}) != "linear") {
     motion.refuse("mode", "only \"linear\" is possible in this version");
   }
-  run.filtered = motion.text("mean", "fixed", {"fixed", "filtered"}) == "filtered";
-  run.followTime = motion.number("follow_time", run.followTime, 1.0, 1e4);
-  run.keepSpeed = motion.boolean("keep_speed", false);
-  run.keepCourse = motion.boolean("keep_course", false);
-  run.convolution =
+  ShipModel& model = run.model;
+  const bool follows = motion.text("mean", "fixed", {"fixed", "filtered"}) == "filtered";
+  model.mean = follows ? Mean::Filtered : Mean::Fixed;
+  model.followTime = motion.number("follow_time", model.followTime, 1.0, 1e4);
+  model.hullLift = motion.boolean("hull_lift", model.hullLift);
+  const bool keepSpeed = motion.boolean("keep_speed", false);
+  const bool keepCourse = motion.boolean("keep_course", false);
+  const bool convolution =
       motion.text("memory", "exponential", {"exponential", "convolution"}) == "convolution";
+  model.memory = convolution ? MemoryModel::Convolution : MemoryModel::Exponential;
+  model.without = motion.texts("without");
   for (const double mode : motion.numbers("restrain", {}, 1.0, 6.0)) {
     if (mode != std::floor(mode)) motion.refuse("restrain", "must hold modes 1..6");
-    run.restrained[static_cast<std::size_t>(mode) - 1] = true;
+    model.restrained[static_cast<std::size_t>(mode) - 1] = true;
   }
   readStart(motion.table("start"), run);
   motion.finish();
+  // On the initial course and speed.
+  if (keepSpeed) model.keepSpeed = SpeedKeeper{.speed = run.start.speed};
+  if (keepCourse) model.keepCourse = CourseKeeper{.heading = run.start.offset[Yaw]};
 }
 
 }  // namespace

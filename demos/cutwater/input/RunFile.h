@@ -1,9 +1,9 @@
 #pragma once
-#include <array>
 #include <string>
 #include <vector>
 
 #include "hydro/database/Coefficients.h"
+#include "hydro/forces/ShipSettings.h"
 #include "hydro/waves/SeaState.h"
 #include "hydro/waves/Spectrum.h"
 
@@ -30,16 +30,9 @@ struct RunFile {
   std::vector<WaveComponent> components;
 
   double heading =
-      kPi;  ///< β of regular waves and mean β of spectra, relative to the initial course
-  double speed = 0.0;        ///< U [m/s]
-  bool filtered = false;     ///< the mean course follows the ship
-  double followTime = 15.0;  ///< [s]
-  bool keepSpeed = false,
-       keepCourse = false;   ///< an engine, a helmsman, on the initial speed and course
-  bool convolution = false;  ///< the memory's oracle in place of the exponential sum
-  std::array<bool, 6> restrained{};
-  Vec6 startOffset = Vec6::Zero();    ///< x, y, z [m], roll, pitch, yaw [rad] from the mean course
-  Vec6 startVelocity = Vec6::Zero();  ///< u, v, w [m/s], p, q, r [rad/s]
+      kPi;          ///< β of regular waves and mean β of spectra, relative to the initial course
+  ShipStart start;  ///< speed along the initial course, offsets from it
+  ShipModel model;
 
   /// The sea of this run; of regular waves the one at `omega[index]`.
   SeaState seaState(double gravity, std::size_t index = 0) const;

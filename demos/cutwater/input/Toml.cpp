@@ -112,6 +112,19 @@ std::string TomlSection::text(const std::string& key, const std::string& fallbac
   refuse(key, fmt::format("must be one of \"{}\"", fmt::join(allowed, "\", \"")));
 }
 
+std::vector<std::string> TomlSection::texts(const std::string& key) {
+  state_->asked.insert(key);
+  std::vector<std::string> values;
+  const toml::node* node = state_->find(key);
+  if (node == nullptr) return values;
+  if (!node->is_array()) refuse(key, "must be a list of texts in quotes");
+  for (const toml::node& item : *node->as_array()) {
+    if (!item.is_string()) refuse(key, "must be a list of texts in quotes");
+    values.push_back(*item.value<std::string>());
+  }
+  return values;
+}
+
 std::vector<double> TomlSection::numbers(const std::string& key,
                                          const std::vector<double>& fallback, double low,
                                          double high) {

@@ -20,6 +20,8 @@ class TomlSection {
   /// One of `allowed` (any text if empty).
   std::string text(const std::string& key, const std::string& fallback,
                    const std::vector<std::string>& allowed = {});
+  /// A list of texts; empty if the key is absent.
+  std::vector<std::string> texts(const std::string& key);
   /// A number, a list of numbers, or { from, to, step } with both ends; each in [low, high].
   std::vector<double> numbers(const std::string& key, const std::vector<double>& fallback,
                               double low, double high);

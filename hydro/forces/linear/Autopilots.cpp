@@ -16,12 +16,12 @@ constexpr double kThrustOfWeight = 0.03, kMomentOfWeight = 0.02;
 void check(bool good, const char* what, double value) {
   if (good && std::isfinite(value)) return;
   throw HydroError(Fault::ValueOutOfRange,
-                   std::string("Keepers: ") + what + " = " + std::to_string(value));
+                   std::string("autopilot: ") + what + " = " + std::to_string(value));
 }
 
 }  // namespace
 
-Keepers::Keepers(const ShipParticulars& ship, const Mat6& addedMassInf, double length)
+Autopilots::Autopilots(const ShipParticulars& ship, const Mat6& addedMassInf, double length)
     : massSurge_(ship.mass + addedMassInf(Surge, Surge)),
       inertia_(ship.massMatrix()(Yaw, Yaw) + addedMassInf(Yaw, Yaw)),
       addedSway_(addedMassInf(Sway, Sway)),
@@ -30,7 +30,7 @@ Keepers::Keepers(const ShipParticulars& ship, const Mat6& addedMassInf, double l
   check(length > 0.0, "length", length);
 }
 
-void Keepers::hold(const SpeedKeeper& speed) {
+void Autopilots::hold(const SpeedKeeper& speed) {
   check(true, "speed", speed.speed);
   check(speed.maxThrust >= 0.0, "max thrust", speed.maxThrust);
   check(speed.rate > 0.0, "rate", speed.rate);
@@ -40,7 +40,7 @@ void Keepers::hold(const SpeedKeeper& speed) {
   holdsSpeed_ = true;
 }
 
-void Keepers::hold(const CourseKeeper& course) {
+void Autopilots::hold(const CourseKeeper& course) {
   check(true, "heading", course.heading);
   check(course.maxMoment >= 0.0, "max moment", course.maxMoment);
   check(course.rate > 0.0, "rate", course.rate);
@@ -49,7 +49,7 @@ void Keepers::hold(const CourseKeeper& course) {
   holdsCourse_ = true;
 }
 
-double Keepers::thrust(double speedNow, double time) noexcept {
+double Autopilots::thrust(double speedNow, double time) noexcept {
   const double error = speed_.speed - speedNow;
   const double step = running_ ? std::max(0.0, time - time_) : 0.0;
   const double next = integral_ + step * error;
@@ -61,40 +61,56 @@ double Keepers::thrust(double speedNow, double time) noexcept {
   return given;
 }
 
-Vec6 Keepers::at(const ShipMotion& motion) noexcept {
+Wrench Autopilots::evaluate(const TickInput& now) noexcept {
   Vec6 force = Vec6::Zero();
-  const double ahead = motion.speed + motion.etaDotNow[Surge];
+  const double ahead = now.speed + now.etaDotNow[Surge];
   if (holdsSpeed_) {
-    const double pull = thrust(ahead, motion.time);
-    force[Surge] += pull * std::cos(motion.eta[Yaw]);
-    force[Sway] += pull * std::sin(motion.eta[Yaw]);
+    const double pull = thrust(ahead, now.time);
+    force[Surge] += pull * std::cos(now.eta[Yaw]);
+    force[Sway] += pull * std::sin(now.eta[Yaw]);
   }
   if (holdsCourse_) {
     const double error =
-        std::remainder(course_.heading - motion.meanHeading - motion.eta[Yaw], 2.0 * kPi);
-    const double rate = motion.turnRate + motion.etaDotNow[Yaw];
+        std::remainder(course_.heading - now.meanHeading - now.eta[Yaw], 2.0 * kPi);
+    const double rate = now.turnRate + now.etaDotNow[Yaw];
     const double stiffness =
-        inertia_ * course_.rate * course_.rate + addedSway_ * motion.speed * motion.speed;
+        inertia_ * course_.rate * course_.rate + addedSway_ * now.speed * now.speed;
     force[Yaw] = std::clamp(stiffness * error - 2.0 * std::sqrt(stiffness * inertia_) * rate,
                             -course_.maxMoment, course_.maxMoment);
   }
-  time_ = motion.time;
+  time_ = now.time;
   running_ = true;
-  return force;
+  return {force};
 }
 
-Keepers::State Keepers::save() const noexcept {
-  return {speed_, course_, holdsSpeed_, holdsCourse_, integral_, time_, running_};
+void Autopilots::reset() noexcept {
+  integral_ = 0.0;
+  running_ = false;
 }
 
-void Keepers::restore(const State& s) noexcept {
-  speed_ = s.speed;
-  course_ = s.course;
-  holdsSpeed_ = s.holdsSpeed;
-  holdsCourse_ = s.holdsCourse;
-  integral_ = s.integral;
-  time_ = s.time;
-  running_ = s.running;
+void Autopilots::save(std::span<double> state) const noexcept {
+  const std::array<double, kStateSize> numbers{speed_.speed,
+                                               speed_.maxThrust,
+                                               speed_.rate,
+                                               course_.heading,
+                                               course_.maxMoment,
+                                               course_.rate,
+                                               holdsSpeed_ ? 1.0 : 0.0,
+                                               holdsCourse_ ? 1.0 : 0.0,
+                                               integral_,
+                                               time_,
+                                               running_ ? 1.0 : 0.0};
+  std::copy(numbers.begin(), numbers.end(), state.begin());
+}
+
+void Autopilots::restore(std::span<const double> state) noexcept {
+  speed_ = {state[0], state[1], state[2]};
+  course_ = {state[3], state[4], state[5]};
+  holdsSpeed_ = state[6] != 0.0;
+  holdsCourse_ = state[7] != 0.0;
+  integral_ = state[8];
+  time_ = state[9];
+  running_ = state[10] != 0.0;
 }
 
 }  // namespace cutwater

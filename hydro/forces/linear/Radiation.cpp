@@ -2,38 +2,66 @@
 
 #include <algorithm>
 
+#include "hydro/memory/RadiationModel.h"
+
 namespace cutwater {
 
-RadiationForce::RadiationForce(std::shared_ptr<const RadiationModel> model, double step, bool free)
+Radiation::Radiation(std::shared_ptr<const RadiationModel> model, bool follows)
     : model_(std::move(model)),
-      memory_(model_->makeMemory(step)),
-      free_(free),
+      follows_(follows),
       aheadOnly_(model_->form() == ForwardSpeedForm::Report) {}
 
-Vec6 RadiationForce::at(const ShipMotion& motion) noexcept {
-  return free_ ? onFreeCourse(motion) : onFixedCourse(motion);
+Radiation::Radiation(Radiation&&) noexcept = default;
+Radiation::~Radiation() = default;
+
+void Radiation::prepare(double step) {
+  memory_.reset();
+  memory_ = model_->makeMemory(step);
 }
 
-Vec6 RadiationForce::onFixedCourse(const ShipMotion& motion) noexcept {
+Wrench Radiation::evaluate(const TickInput& now) noexcept {
+  if (!memory_) return {};
+  return {follows_ ? onFollowingCourse(now) : onFixedCourse(now)};
+}
+
+Vec6 Radiation::onFixedCourse(const TickInput& now) noexcept {
   const RetardationMatrix& K = model_->retardation();
-  const double U = motion.speed;
-  const Vec6 memory = memory_->advance(motion.etaDot, U);
+  const double U = now.speed;
+  const Vec6 memory = memory_->advance(now.etaDot, U);
   if (U == 0.0) return memory;
-  return memory - U * (K.speedDamping() * motion.etaDotNow + U * (K.speedStiffness() * motion.eta));
+  return memory - U * (K.speedDamping() * now.etaDotNow + U * (K.speedStiffness() * now.eta));
 }
 
-Vec6 RadiationForce::onFreeCourse(const ShipMotion& motion) noexcept {
+Vec6 Radiation::onFollowingCourse(const TickInput& now) noexcept {
   const RetardationMatrix& K = model_->retardation();
-  const double ahead = motion.speed + motion.etaDotNow[Surge];
+  const double ahead = now.speed + now.etaDotNow[Surge];
   const double u = aheadOnly_ ? std::max(ahead, 0.0) : ahead;
-  const RadiationMemory::Parts memory = memory_->advanceParts(motion.etaDot);
-  Vec6 bySpeed = memory.linear + u * memory.squared - K.speedDamping() * motion.etaDotNow -
-                 u * (K.speedStiffness() * motion.eta);
-  Vec6 velocity = motion.etaDotNow;
-  velocity[Yaw] += motion.turnRate;
+  const RadiationMemory::Parts memory = memory_->advanceParts(now.etaDot);
+  const Vec6 bySpeed = memory.linear + u * memory.squared - K.speedDamping() * now.etaDotNow -
+                       u * (K.speedStiffness() * now.eta);
+  Vec6 velocity = now.etaDotNow;
+  velocity[Yaw] += now.turnRate;
   Vec6 force = memory.atRest + u * bySpeed;
   if (u != 0.0) force[Surge] -= bySpeed.dot(velocity);
   return force;
+}
+
+void Radiation::reset() noexcept {
+  if (memory_) memory_->reset();
+}
+
+std::size_t Radiation::stateSize() const noexcept { return memory_ ? memory_->stateSize() : 0; }
+
+void Radiation::save(std::span<double> state) const noexcept {
+  if (memory_) memory_->save(state);
+}
+
+bool Radiation::fits(std::span<const double> state) const noexcept {
+  return memory_ ? memory_->fits(state) : state.empty();
+}
+
+void Radiation::restore(std::span<const double> state) noexcept {
+  if (memory_) memory_->restore(state);
 }
 
 }  // namespace cutwater

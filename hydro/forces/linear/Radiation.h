@@ -2,41 +2,49 @@
 #include <memory>
 
 #include "hydro/forces/ForceGenerator.h"
-#include "hydro/memory/RadiationModel.h"
 
 namespace cutwater {
 
-/// What answers a ship's own motion, but for −A^∞η̈, which acts through the engine's solver:
-///   F(t) = −∫₀^∞ K(U, τ) η̇(t − τ) dτ − b(U) η̇ − c(U) η                    [M03] (30), (33), (41)-(45)
-/// The memory takes ShipMotion::etaDot, the mean over the tick just ended; b takes etaDotNow.
-///
-/// About a course that turns or changes its speed (a free ship), the terms with U would create energy:
-/// Munk's moment turns a hull that makes leeway ever faster, and linear theory, which holds her speed, does
-/// not ask where the work comes from. Here it comes out of her way. With F = F⁰ + u f, f what the terms of
-/// speed are over u, and w = η̇ + r̄ e₆, r̄ = dψ̄/dt, a surge force
-///   F₁ −= f·w
-/// is added, of second order, so that they do no work in all. For it to be so at every instant b, c and
-/// K are taken at u = U + η̇₁, the speed she has, not the mean that lags behind. The report's form damps
-/// leeway by the lift of the stern, −U∂A₂₂, which turns into the opposite going astern: it is for going
-/// ahead, and a free ship going astern has the memory of one at rest. Tuck's form takes either way.
-class RadiationForce final : public ForceGenerator {
- public:
-  /// @param step  the engine's fixed tick [s] > 0.  @param free  the course follows the ship.
-  /// @throws HydroError as RadiationModel::makeMemory.
-  RadiationForce(std::shared_ptr<const RadiationModel> model, double step, bool free = false);
+class RadiationMemory;
+class RadiationModel;
 
-  Vec6 at(const ShipMotion& motion) noexcept override;
-  /// The state: save, restore, reset.
-  RadiationMemory& memory() noexcept { return *memory_; }
-  const RadiationMemory& memory() const noexcept { return *memory_; }
+/// What answers a ship's own motion, but for −A^∞η̈, which acts through the engine's solver:
+///     F(t) = −∫₀^∞ K(U, τ) η̇(t − τ) dτ − b(U) η̇ − c(U) η                    [M03] (30), (33), (41)-(45)
+/// The memory takes TickInput::etaDot, the mean over the tick just ended; b takes etaDotNow.
+///
+/// On a course that follows the ship the terms with U would create energy: Munk's moment turns a hull
+/// that makes leeway ever faster, and linear theory, which holds the speed, does not ask where the work
+/// comes from. Here it comes out of the ship's way. With F = F⁰ + u f, f what the terms of speed are
+/// over u, and w = η̇ + r̄ e₆, r̄ = dψ̄/dt, a surge force of second order
+///     F₁ −= f·w
+/// is added, so that these terms do no work in all. b, c and K are taken at u = U + η̇₁, the speed of
+/// now, not at the mean that lags behind. The report's form damps leeway by the lift of the stern,
+/// −U∂A₂₂, which drives it going astern: there a free ship has the memory of one at rest. Tuck's form
+/// holds ahead and astern.
+class Radiation final : public ForceGenerator {
+ public:
+  /// @param follows  the mean course follows the ship.
+  explicit Radiation(std::shared_ptr<const RadiationModel> model, bool follows = false);
+  Radiation(Radiation&&) noexcept;
+  ~Radiation() override;
+
+  std::string_view name() const noexcept override { return "radiation"; }
+  /// No load until a tick length is known.  @throws HydroError as RadiationModel::makeMemory.
+  void prepare(double step) override;
+  Wrench evaluate(const TickInput& now) noexcept override;
+  void reset() noexcept override;
+  std::size_t stateSize() const noexcept override;
+  void save(std::span<double> state) const noexcept override;
+  bool fits(std::span<const double> state) const noexcept override;
+  void restore(std::span<const double> state) noexcept override;
 
  private:
-  Vec6 onFixedCourse(const ShipMotion& motion) noexcept;
-  Vec6 onFreeCourse(const ShipMotion& motion) noexcept;
+  Vec6 onFixedCourse(const TickInput& now) noexcept;
+  Vec6 onFollowingCourse(const TickInput& now) noexcept;
 
   std::shared_ptr<const RadiationModel> model_;
-  std::unique_ptr<RadiationMemory> memory_;
-  bool free_, aheadOnly_;
+  std::unique_ptr<RadiationMemory> memory_;  // null before prepare()
+  bool follows_, aheadOnly_;
 };
 
 }  // namespace cutwater

@@ -4,15 +4,20 @@
 
 namespace cutwater {
 
-/// Linear hydrostatic stiffness about the equilibrium: F = −C η              [M03] (5), (30)
-/// C holds buoyancy and weight about G. The equilibrium part, ρgV up = m g up, is left to the
-/// caller, who cancels the engine's own gravity with it exactly. Valid for small η; replaced by the
-/// pressure on the wetted hull in nonlinear mode.
-class RestoringForce final : public ForceGenerator {
+/// Calm water: what carries the ship's weight at rest, and the linear hydrostatic stiffness about that
+/// equilibrium.
+///     F = −W − C η,   W the engine's own gravity on the body                 [M03] (5), (30)
+/// C holds buoyancy and weight about G. Valid for small η.
+class Restoring final : public ForceGenerator {
  public:
-  explicit RestoringForce(const Coefficients& coefficients)
-      : stiffness_(coefficients.ship.restoring) {}
-  Vec6 at(const ShipMotion& motion) noexcept override { return -(stiffness_ * motion.eta); }
+  explicit Restoring(const ShipParticulars& ship) : stiffness_(ship.restoring) {}
+  std::string_view name() const noexcept override { return "restoring"; }
+  bool carriesWeight() const noexcept override { return true; }
+  Wrench evaluate(const TickInput& now) noexcept override {
+    Vec6 weight = Vec6::Zero();
+    weight.head<3>() = now.weight;
+    return {-(stiffness_ * now.eta) - weight};
+  }
 
  private:
   Mat6 stiffness_;

@@ -22,7 +22,7 @@ int main(int argc, char** argv) try {
   cutwater::Seaway seaway(world);
   cutwater::ShipSettings settings;
   const double lift = 0.5;  // [m]
-  settings.offset[2] = lift;
+  settings.start.offset[2] = lift;
   cutwater::Ship& ship = seaway.addShip(sphere, settings);
 
   const double step = 0.005;  // [s]

@@ -1,3 +1,5 @@
+#include "hydro/forces/linear/Autopilots.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 
 #include "hydro/Errors.h"
 #include "hydro/database/Coefficients.h"
-#include "hydro/forces/linear/Autopilots.h"
 #include "hydro/forces/linear/HullLift.h"
 
 namespace cutwater {
@@ -27,25 +28,25 @@ Mat6 addedMass() {
   return diagonal.asDiagonal();
 }
 
-Keepers keepers() { return {keptShip(), addedMass(), kLength}; }
+Autopilots keepers() { return {keptShip(), addedMass(), kLength}; }
 
 const double kSurging = kMass + 2e5, kYawing = kMass * 900.0 + 2e9;
 
 /// A ship of mass m' under her keeper and a drag: the speed after each tick, semi-implicit as Bullet has it.
 template <class See>
-double sail(Keepers& keepers, double speed, double drag, double step, double duration, See see) {
-  ShipMotion motion;
+double sail(Autopilots& keepers, double speed, double drag, double step, double duration, See see) {
+  TickInput motion;
   for (int n = 0; n * step < duration; ++n) {
     motion.time = n * step;
     motion.speed = speed;
     see(motion.time, speed);
-    speed += step * (keepers.at(motion)[Surge] - drag) / kSurging;
+    speed += step * (keepers.evaluate(motion).load[Surge] - drag) / kSurging;
   }
   return speed;
 }
 
 double speedError(double step) {
-  Keepers k = keepers();
+  Autopilots k = keepers();
   k.hold(SpeedKeeper{5.0, 1e12, 0.05});
   double error = 0.0;
   sail(k, 3.0, 0.0, step, 200.0, [&](double t, double speed) {
@@ -55,14 +56,14 @@ double speedError(double step) {
 }
 
 // m' dv/dt = m'(2ν e + ν²∫e): e = e₀ (1 − νt) e^{−νt}.
-TEST(KeepersConvergence, SpeedComesBackAsADoublePoleDoes) {
+TEST(AutopilotsConvergence, SpeedComesBackAsADoublePoleDoes) {
   const double coarse = speedError(0.2), fine = speedError(0.1);
   EXPECT_NEAR(std::log2(coarse / fine), 1.0, 0.1);  // one tick's delay
   EXPECT_LT(fine, 3.0 * 0.05 * 0.1 * 2.0);          // of the steepest slope, 3ν e₀
 }
 
-TEST(KeepersIdentity, TheIntegralCarriesASteadyDrag) {
-  Keepers k = keepers();
+TEST(AutopilotsIdentity, TheIntegralCarriesASteadyDrag) {
+  Autopilots k = keepers();
   k.hold(SpeedKeeper{5.0, 0.0, 0.05});
   const double drag = 5e5;  // below the default limit, 3 % of 3.9e7 N
   const double speed = sail(k, 5.0, drag, 0.1, 600.0, [](double, double) {});
@@ -72,15 +73,15 @@ TEST(KeepersIdentity, TheIntegralCarriesASteadyDrag) {
 
 // From rest to 10 m/s at the limit of thrust: had the integral wound up over the 100 s, she would shoot past by
 // metres per second; a double pole started at the limit overshoots by e^{−2}, 13.5 %, of 2/ν seconds of it.
-TEST(Keepers, ThrustKeepsItsLimitAndTheIntegralDoesNotWindUp) {
-  Keepers k = keepers();
+TEST(Autopilots, ThrustKeepsItsLimitAndTheIntegralDoesNotWindUp) {
+  Autopilots k = keepers();
   constexpr double kLimit = 4e5;
   k.hold(SpeedKeeper{10.0, kLimit, 0.05});
   double fastest = 0.0, most = 0.0;
-  ShipMotion motion;
+  TickInput motion;
   for (int n = 0; n < 6000; ++n) {
     motion.time = 0.1 * n;
-    const double thrust = k.at(motion)[Surge];
+    const double thrust = k.evaluate(motion).load[Surge];
     most = std::max(most, std::abs(thrust));
     motion.speed += 0.1 * thrust / kSurging;
     fastest = std::max(fastest, motion.speed);
@@ -90,23 +91,23 @@ TEST(Keepers, ThrustKeepsItsLimitAndTheIntegralDoesNotWindUp) {
   EXPECT_NEAR(motion.speed, 10.0, 1e-3);
 }
 
-TEST(KeepersClosedForm, ThrustActsAlongTheBow) {
-  Keepers k = keepers();
+TEST(AutopilotsClosedForm, ThrustActsAlongTheBow) {
+  Autopilots k = keepers();
   k.hold(SpeedKeeper{5.0, 1e9, 0.05});
-  ShipMotion motion;
+  TickInput motion;
   motion.speed = 4.0;
   motion.etaDotNow[Surge] = 0.5;
   motion.eta[Yaw] = 0.3;  // bow to port, y to port
-  const Vec6 force = k.at(motion);
+  const Vec6 force = k.evaluate(motion).load;
   EXPECT_NEAR(force[Surge], kSurging * 2.0 * 0.05 * 0.5 * std::cos(0.3), 1e-6);
   EXPECT_NEAR(force[Sway], kSurging * 2.0 * 0.05 * 0.5 * std::sin(0.3), 1e-6);
 }
 
 /// Heading error after t on a ship at rest, from e₀ = 0.2.
 double headingError(double step) {
-  Keepers k = keepers();
+  Autopilots k = keepers();
   k.hold(CourseKeeper{1.0, 1e15, 0.1});
-  ShipMotion motion;
+  TickInput motion;
   motion.meanHeading = 0.7;
   motion.eta[Yaw] = 0.1;
   double error = 0.0;
@@ -114,36 +115,36 @@ double headingError(double step) {
     const double t = motion.time = n * step;
     const double exact = 1.0 - 0.2 * (1.0 + 0.1 * t) * std::exp(-0.1 * t);
     error = std::max(error, std::abs(motion.meanHeading + motion.eta[Yaw] - exact));
-    motion.etaDotNow[Yaw] += step * k.at(motion)[Yaw] / kYawing;
+    motion.etaDotNow[Yaw] += step * k.evaluate(motion).load[Yaw] / kYawing;
     motion.eta[Yaw] += step * motion.etaDotNow[Yaw];
   }
   return error;
 }
 
 // I'ψ̈ = k e − 2√(kI') r: critically damped at √(k/I') = ν at rest.
-TEST(KeepersConvergence, HeadingComesBackCriticallyDamped) {
+TEST(AutopilotsConvergence, HeadingComesBackCriticallyDamped) {
   const double coarse = headingError(0.2), fine = headingError(0.1);
   EXPECT_NEAR(std::log2(coarse / fine), 1.0, 0.1);
   EXPECT_LT(fine, 0.2 * 0.1 * 0.1);  // a tick of the steepest slope, e₀ν/e, and some
 }
 
 // −U²A₂₂ of Munk's moment is met by +U²A₂₂: what is left is I'ν².
-TEST(KeepersClosedForm, StiffnessOutweighsTheMunkMoment) {
-  Keepers k = keepers();
+TEST(AutopilotsClosedForm, StiffnessOutweighsTheMunkMoment) {
+  Autopilots k = keepers();
   k.hold(CourseKeeper{0.0, 1e15, 0.1});
-  ShipMotion motion;
+  TickInput motion;
   motion.speed = 8.0;
   motion.eta[Yaw] = 0.01;
   const double munk = 64.0 * 3e6 * 0.01;
-  EXPECT_NEAR(k.at(motion)[Yaw] + munk, -kYawing * 0.01 * 0.01, 1e-3);
+  EXPECT_NEAR(k.evaluate(motion).load[Yaw] + munk, -kYawing * 0.01 * 0.01, 1e-3);
 }
 
-TEST(Keepers, MomentKeepsItsLimit) {
-  Keepers k = keepers();
+TEST(Autopilots, MomentKeepsItsLimit) {
+  Autopilots k = keepers();
   k.hold(CourseKeeper{3.0, 0.0, 0.1});
-  ShipMotion motion;
+  TickInput motion;
   motion.speed = 10.0;
-  const Vec6 force = k.at(motion);
+  const Vec6 force = k.evaluate(motion).load;
   EXPECT_DOUBLE_EQ(force[Yaw], 0.02 * kMass * keptShip().gravity * kLength);
   EXPECT_EQ(force[Sway], 0.0);
 }
@@ -156,44 +157,47 @@ TEST(HullLiftClosedForm, ResistsLeewayAndTurningInProportionToSpeed) {
   const double added = 0.8 * kMass;
   c.addedMassZero(Sway, Sway) = added;
   HullLift lift(c, kLength);
-  ShipMotion motion;
+  TickInput motion;
   motion.speed = 10.0;
   motion.etaDotNow[Sway] = 0.3;
   motion.etaDotNow[Yaw] = 0.01;
   motion.turnRate = 0.02;
   const double e = 2.0 * (kMass + added) / kLength, d = 2.0 * kMass * added / e;
-  const Vec6 force = lift.at(motion);
+  const Vec6 force = lift.evaluate(motion).load;
   EXPECT_DOUBLE_EQ(force[Sway], -e * 10.0 * 0.3);
   EXPECT_DOUBLE_EQ(force[Yaw], -d * 10.0 * 0.03);
   motion.eta[Yaw] = std::atan(0.3 / 10.0);
-  EXPECT_NEAR(lift.at(motion).head<3>().norm(), 0.0, 1e-9 * e * 10.0);
+  EXPECT_NEAR(lift.evaluate(motion).load.head<3>().norm(), 0.0, 1e-9 * e * 10.0);
 }
 
-TEST(Keepers, TurnsTheShorterWay) {
-  Keepers k = keepers();
+TEST(Autopilots, TurnsTheShorterWay) {
+  Autopilots k = keepers();
   k.hold(CourseKeeper{3.0, 0.0, 0.1});
-  ShipMotion motion;
+  TickInput motion;
   motion.meanHeading = -3.0;
-  EXPECT_LT(k.at(motion)[Yaw], 0.0);  // 16° to starboard, not 344° to port
+  EXPECT_LT(k.evaluate(motion).load[Yaw], 0.0);  // 16° to starboard, not 344° to port
 }
 
-TEST(Keepers, RestoredStateGivesTheSameBitsAndReleasedOnesAreSilent) {
-  Keepers one = keepers(), other = keepers();
+TEST(Autopilots, RestoredStateGivesTheSameBitsAndReleasedOnesAreSilent) {
+  Autopilots one = keepers(), other = keepers();
   one.hold(SpeedKeeper{5.0, 0.0, 0.05});
   one.hold(CourseKeeper{0.3, 0.0, 0.1});
-  const auto drive = [](Keepers& k, int from, int to) {
+  const auto drive = [](Autopilots& k, int from, int to) {
     Vec6 sum = Vec6::Zero();
-    ShipMotion motion;
+    TickInput motion;
     for (int n = from; n < to; ++n) {
       motion.time = 0.1 * n;
       motion.speed = 4.0 + std::sin(0.05 * n);
       motion.etaDotNow[Yaw] = 0.01 * std::cos(0.1 * n);
-      sum += k.at(motion);
+      sum += k.evaluate(motion).load;
     }
     return sum;
   };
   drive(one, 0, 300);
-  other.restore(one.save());
+  std::vector<double> state(one.stateSize());
+  one.save(state);
+  ASSERT_TRUE(other.fits(state));
+  other.restore(state);
   const Vec6 a = drive(one, 300, 500), b = drive(other, 300, 500);
   EXPECT_EQ(std::memcmp(a.data(), b.data(), sizeof a), 0);
   one.releaseSpeed();
@@ -203,21 +207,21 @@ TEST(Keepers, RestoredStateGivesTheSameBitsAndReleasedOnesAreSilent) {
   EXPECT_EQ(one.integral(), 0.0);  // begins anew
 }
 
-TEST(Keepers, RefusesNonsense) {
-  Keepers k = keepers();
+TEST(Autopilots, RefusesNonsense) {
+  Autopilots k = keepers();
   const double nan = std::nan("");
   EXPECT_THROW(k.hold(SpeedKeeper{nan, 0.0, 0.1}), HydroError);
   EXPECT_THROW(k.hold(SpeedKeeper{1.0, -1.0, 0.1}), HydroError);
   EXPECT_THROW(k.hold(SpeedKeeper{1.0, 0.0, 0.0}), HydroError);
   EXPECT_THROW(k.hold(CourseKeeper{HUGE_VAL, 0.0, 0.1}), HydroError);
   EXPECT_THROW(k.hold(CourseKeeper{1.0, nan, 0.1}), HydroError);
-  EXPECT_THROW(Keepers(keptShip(), addedMass(), 0.0), HydroError);
+  EXPECT_THROW(Autopilots(keptShip(), addedMass(), 0.0), HydroError);
   EXPECT_FALSE(k.holdsSpeed());
   EXPECT_FALSE(k.holdsCourse());
   k.hold(SpeedKeeper{5.0, 0.0, 0.1});
-  ShipMotion motion;
+  TickInput motion;
   motion.speed = nan;  // one bad tick leaves no trace
-  k.at(motion);
+  k.evaluate(motion);
   EXPECT_EQ(k.integral(), 0.0);
 }
 

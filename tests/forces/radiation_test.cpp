@@ -1,8 +1,10 @@
+#include "hydro/forces/linear/Radiation.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "hydro/forces/linear/Radiation.h"
+#include "hydro/memory/RadiationModel.h"
 #include "tests/memory/CausalShip.h"
 
 namespace cutwater {
@@ -13,8 +15,15 @@ std::shared_ptr<const RadiationModel> modelOf(ForwardSpeedForm form) {
                                           MemoryModel::Exponential, form);
 }
 
-ShipMotion anyMotion() {
-  ShipMotion motion;
+/// Ready for ticks of 0.05 s.
+Radiation radiation(const std::shared_ptr<const RadiationModel>& model, bool follows = false) {
+  Radiation part(model, follows);
+  part.prepare(0.05);
+  return part;
+}
+
+TickInput anyMotion() {
+  TickInput motion;
   motion.speed = 6.0;
   motion.turnRate = 0.04;
   motion.eta << 0.3, -0.2, 0.5, 0.1, -0.15, 0.07;
@@ -23,15 +32,15 @@ ShipMotion anyMotion() {
   return motion;
 }
 
-TEST(RadiationForceIdentity, IsTheMemorysForceLessTheDampingAndStiffnessOfSpeed) {
+TEST(RadiationIdentity, IsTheMemorysForceLessTheDampingAndStiffnessOfSpeed) {
   for (const auto form : {ForwardSpeedForm::Report, ForwardSpeedForm::Tuck}) {
     const auto model = modelOf(form);
-    RadiationForce force(model, 0.05);
+    Radiation force = radiation(model);
     const auto memory = model->makeMemory(0.05);
-    ShipMotion motion = anyMotion();
+    TickInput motion = anyMotion();
     for (int n = 0; n < 20; ++n) {
       motion.etaDot *= -0.9;
-      const Vec6 found = force.at(motion);
+      const Vec6 found = force.evaluate(motion).load;
       const Vec6 expected = memory->advance(motion.etaDot, 6.0) -
                             6.0 * (model->retardation().speedDamping() * motion.etaDotNow) -
                             36.0 * (model->retardation().speedStiffness() * motion.eta);
@@ -42,14 +51,15 @@ TEST(RadiationForceIdentity, IsTheMemorysForceLessTheDampingAndStiffnessOfSpeed)
 
 // On a free course the terms of speed are those of a ship held at u = U + η̇₁, and a surge force beside them
 // that makes their work on her oscillation and her turning, and its own on her way u, zero. Round-off.
-TEST(RadiationForceIdentity, WorkOfSpeedTermsOnAFreeShipComesOutOfHerWay) {
+TEST(RadiationIdentity, WorkOfSpeedTermsOnAFreeShipComesOutOfHerWay) {
   const auto model = modelOf(ForwardSpeedForm::Tuck);
-  RadiationForce force(model, 0.05, true), held(model, 0.05), resting(model, 0.05);
-  ShipMotion motion = anyMotion(), at = motion, rest = motion;
+  Radiation force = radiation(model, true), held = radiation(model), resting = radiation(model);
+  TickInput motion = anyMotion(), at = motion, rest = motion;
   const double u = motion.speed + motion.etaDotNow[Surge];
   at.speed = u;
   rest.speed = 0.0;
-  const Vec6 found = force.at(motion), kept = held.at(at), ofSpeed = kept - resting.at(rest);
+  const Vec6 found = force.evaluate(motion).load, kept = held.evaluate(at).load,
+             ofSpeed = kept - resting.evaluate(rest).load;
   const Vec6 reaction = found - kept;
   Vec6 w = motion.etaDotNow;
   w[Yaw] += motion.turnRate;
@@ -60,18 +70,18 @@ TEST(RadiationForceIdentity, WorkOfSpeedTermsOnAFreeShipComesOutOfHerWay) {
 }
 
 // The report's form damps leeway with the wrong sign going astern: a free ship has none of it there.
-TEST(RadiationForceIdentity, GoingAsternTheReportsFormHasNoTermsOfSpeedOnAFreeShip) {
-  ShipMotion motion = anyMotion(), rest = motion;
+TEST(RadiationIdentity, GoingAsternTheReportsFormHasNoTermsOfSpeedOnAFreeShip) {
+  TickInput motion = anyMotion(), rest = motion;
   motion.speed = -6.0;
   rest.speed = 0.0;
   const auto model = modelOf(ForwardSpeedForm::Report);
-  RadiationForce astern(model, 0.05, true), resting(model, 0.05);
-  const Vec6 expected = resting.at(rest);
-  EXPECT_LT((astern.at(motion) - expected).norm(), 1e-13 * expected.norm());
+  Radiation astern = radiation(model, true), resting = radiation(model);
+  const Vec6 expected = resting.evaluate(rest).load;
+  EXPECT_LT((astern.evaluate(motion).load - expected).norm(), 1e-13 * expected.norm());
 }
 
 // On a steady straight course b of Tuck's form does no work at all, c none over a period.
-TEST(RadiationForceIdentity, TucksDampingOfSpeedIsGyroscopic) {
+TEST(RadiationIdentity, TucksDampingOfSpeedIsGyroscopic) {
   const auto model = modelOf(ForwardSpeedForm::Tuck);
   const Vec6 v = anyMotion().etaDotNow;
   const Mat6& b = model->retardation().speedDamping();

@@ -1,0 +1,56 @@
+#pragma once
+#include <array>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "hydro/database/Coefficients.h"
+#include "hydro/memory/MemoryModel.h"
+
+namespace cutwater {
+
+class RadiationModel;
+
+/// What all ships of one database share. Make it once, give it to every ship:
+///     const auto frigate = cutwater::readHydrodynamics("frigate.h5");
+///     seaway.addShip(frigate, {.start = {.x = 0}});
+///     seaway.addShip(frigate, {.start = {.x = 300}});
+/// It owns its coefficients and lives as long as somebody holds it. Immutable but for what is made when
+/// first asked for; any thread may call.
+class Hydrodynamics {
+ public:
+  /// @param form  of the forward-speed terms; absent: the database's own, or Tuck's where the database
+  ///              lacks the x-derivatives that its own form needs.
+  /// @throws HydroError BadArgument: a null pointer; DatabaseIncomplete: unfinished coefficients.
+  explicit Hydrodynamics(std::shared_ptr<const Coefficients> coefficients,
+                         std::optional<ForwardSpeedForm> form = {});
+  explicit Hydrodynamics(Coefficients coefficients, std::optional<ForwardSpeedForm> form = {})
+      : Hydrodynamics(std::make_shared<const Coefficients>(std::move(coefficients)), form) {}
+  ~Hydrodynamics();
+
+  const Coefficients& coefficients() const noexcept { return *coefficients_; }
+  const ShipParticulars& ship() const noexcept { return coefficients_->ship; }
+  ForwardSpeedForm form() const noexcept { return form_; }
+  double length() const noexcept { return length_; }  ///< of the hull, or of its panels [m]
+  double keel() const noexcept { return keel_; }      ///< lowest point, hull axes [m]
+
+  /// Retardation functions and, for MemoryModel::Exponential, their fit. Made once for each model, a
+  /// quarter of a second for 60 frequencies.   @throws HydroError as RadiationModel.
+  std::shared_ptr<const RadiationModel> radiation(MemoryModel memory) const;
+
+ private:
+  std::shared_ptr<const Coefficients> coefficients_;
+  ForwardSpeedForm form_;
+  double length_, keel_;
+  mutable std::mutex mutex_;
+  mutable std::array<std::shared_ptr<const RadiationModel>, 2> radiation_;  // of each MemoryModel
+};
+
+/// Reads a database (CoefficientsFile.h) to be shared by ships.
+/// @param warning  receives one line that says what a plain BEMIO file lacks, or "".
+/// @throws HydroError as readCoefficients and Hydrodynamics.
+std::shared_ptr<const Hydrodynamics> readHydrodynamics(const std::string& path,
+                                                       std::string* warning = nullptr);
+
+}  // namespace cutwater

@@ -1,0 +1,59 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hydro/Conventions.h"
+#include "hydro/memory/MemoryModel.h"
+
+/// Where a ship starts and what acts on it: plain data, known to run files as to programs.
+namespace cutwater {
+
+/// The mean course about which a ship's motions are linear (frame H).
+enum class Mean {
+  Fixed,  ///< a straight line at constant speed, whatever the ship does: a towing tank, and [M03]
+  Filtered  ///< follows the ship slowly (MeanCourse.h): a free ship, to be driven, turned, collided with
+};
+
+/// Where a ship starts. SI units and E (z up) whatever the world's are.
+struct ShipStart {
+  double x = 0.0, y = 0.0;       ///< mean place of G in E [m]
+  double heading = 0.0;          ///< mean heading [rad]: angle of the bow from E's x axis, about +z
+  double speed = 0.0;            ///< U [m/s] along the mean heading
+  Vec6 offset = Vec6::Zero();    ///< from the mean course, in H [m]; roll, pitch, yaw [rad]
+  Vec6 velocity = Vec6::Zero();  ///< beside U: u, v, w [m/s], p, q, r [rad/s] in B
+};
+
+/// Holds a speed by a thrust in G along the bow:
+///     T = m'(2ν e + ν² ∫e dt),   e = speed wanted − speed now,   m' = m + A_11(∞),   |T| ≤ limit
+/// Surge at wave frequency ω ≫ ν is hardly felt: it is damped by 2ν/ω of the ship's inertia.
+struct SpeedKeeper {
+  double speed = 0.0;      ///< wanted [m/s]
+  double maxThrust = 0.0;  ///< [N], ahead and astern; 0: 3 % of the ship's weight
+  double rate = 0.02;      ///< ν [1/s]
+};
+
+/// Holds a heading by a moment about G:
+///     N = k e − 2√(k I') r,   e = heading wanted − heading now,   I' = I_66 + A_66(∞),
+///     k = I'ν² + U² A_22(∞),   |N| ≤ limit
+/// The last term of k acts against the Munk moment that turns a hull without rudder broadside on.
+struct CourseKeeper {
+  double heading = 0.0;    ///< wanted [rad], angle of the bow from E's x axis, about +z
+  double maxMoment = 0.0;  ///< [N·m]; 0: 2 % of weight times length
+  double rate = 0.1;       ///< ν [1/s]
+};
+
+/// Which theory acts on a ship, and what is added to it.
+struct ShipModel {
+  Mean mean = Mean::Fixed;
+  double followTime = 15.0;  ///< 1/ν of MeanCourse [s], Mean::Filtered
+  MemoryModel memory = MemoryModel::Exponential;
+  bool hullLift = true;              ///< HullLift.h, Mean::Filtered only
+  std::array<bool, 6> restrained{};  ///< modes held on the mean course, each by a row of the solver
+  std::optional<SpeedKeeper> keepSpeed{};
+  std::optional<CourseKeeper> keepCourse{};
+  std::vector<std::string> without{};  ///< parts of the load that are switched off, by name
+};
+
+}  // namespace cutwater

@@ -1,0 +1,33 @@
+#pragma once
+#include "hydro/database/Coefficients.h"
+#include "hydro/forces/ForceGenerator.h"
+
+namespace cutwater {
+
+/// What potential flow lacks, given as numbers: viscous roll damping, the stiffness of a helmsman.
+///     F_j = −b_j η̇_j − s_j η_j,   roll also −q |η̇₄| η̇₄                        [M03] section 9
+/// Velocities are those at t_n, so that the term is second order in the tick. Damping of yaw sees the
+/// whole rate of turn; damping of surge sees only what differs from the mean speed.
+/// On a course that follows the ship the stiffness of surge, sway and yaw is left out: a spring to such
+/// a course would drive the ship as well as hold it. A CourseKeeper holds a heading there.
+class SupplementaryForce final : public ForceGenerator {
+ public:
+  /// @param follows  the mean course follows the ship.
+  explicit SupplementaryForce(const Supplementary& terms, bool follows = false) : terms_(terms) {
+    if (follows) terms_.stiffness[Surge] = terms_.stiffness[Sway] = terms_.stiffness[Yaw] = 0.0;
+  }
+  std::string_view name() const noexcept override { return "supplementary"; }
+  Wrench evaluate(const TickInput& now) noexcept override {
+    Vec6 force =
+        -(terms_.damping.cwiseProduct(now.etaDotNow) + terms_.stiffness.cwiseProduct(now.eta));
+    force[Yaw] -= terms_.damping[Yaw] * now.turnRate;
+    const double roll = now.etaDotNow[Roll];
+    force[Roll] -= terms_.rollDampingQuadratic * (roll < 0.0 ? -roll : roll) * roll;
+    return {force};
+  }
+
+ private:
+  Supplementary terms_;
+};
+
+}  // namespace cutwater

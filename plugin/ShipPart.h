@@ -1,0 +1,28 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "plugin/Ship.h"
+
+CUTWATER_PLUGIN_BEGIN
+
+/// One part of a ship's load, and what the ship knows about it.
+struct Ship::Part {
+  std::string name;
+  std::unique_ptr<ForceGenerator> force{};  ///< null: Bullet's own, gravity and added_mass
+  /// Potential flow of the database. These loads and those added to them are summed apart, so that an
+  /// added part changes nothing in how the others are rounded.
+  bool potentialFlow = false;
+  bool byUser = false;
+  bool on = true;            ///< as asked for
+  bool replaced = false;     ///< another part stands for it
+  double nanoseconds = 0.0;  ///< of all evaluations timed
+  std::size_t timed = 0;
+
+  bool active() const noexcept { return on && !replaced; }
+};
+
+/// Places of Bullet's own parts in the list.
+inline constexpr std::size_t kGravityPart = 0, kAddedMassPart = 5;
+
+CUTWATER_PLUGIN_END

@@ -1,0 +1,179 @@
+// The list of a ship's parts: making it, changing it, asking it.
+#include <algorithm>
+#include <cctype>
+
+#include "hydro/Errors.h"
+#include "hydro/base/Fnv1a.h"
+#include "hydro/forces/Hydrodynamics.h"
+#include "hydro/forces/SeaTables.h"
+#include "hydro/forces/linear/Autopilots.h"
+#include "hydro/forces/linear/HullLift.h"
+#include "hydro/forces/linear/Radiation.h"
+#include "hydro/forces/linear/Restoring.h"
+#include "hydro/forces/linear/SupplementaryForce.h"
+#include "hydro/forces/linear/WaveForce.h"
+#include "plugin/AddedMassConstraint.h"
+#include "plugin/ShipPart.h"
+
+CUTWATER_PLUGIN_BEGIN
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw HydroError(Fault::BadArgument, what);
+}
+
+bool isName(std::string_view name) {
+  const auto good = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  return !name.empty() && std::all_of(name.begin(), name.end(), good);
+}
+
+}  // namespace
+
+// Bullet's own parts have fixed places (ShipPart.h).
+void Ship::makeParts(const ShipSettings& settings) {
+  const Coefficients& c = coefficients();
+  const bool follows = course_.follows();
+  const auto database = [this](std::unique_ptr<ForceGenerator> force) {
+    const std::string name(force->name());
+    addPart({.name = name, .force = std::move(force), .potentialFlow = true});
+  };
+  const auto added = [this](std::unique_ptr<ForceGenerator> force) {
+    const std::string name(force->name());
+    addPart({.name = name, .force = std::move(force)});
+  };
+  addPart({.name = "gravity", .potentialFlow = true});
+  database(std::make_unique<Restoring>(c.ship));
+  const WaveForce::Course start{course_.heading(), course_.speed()};
+  database(std::make_unique<WaveForce>(tables_, WaveLoad::FroudeKrylov, start, follows));
+  database(std::make_unique<WaveForce>(tables_, WaveLoad::Diffraction, start, follows));
+  database(std::make_unique<Radiation>(hydrodynamics().radiation(settings.model.memory), follows));
+  addPart({.name = "added_mass"});
+  added(std::make_unique<SupplementaryForce>(c.ship.supplementary, follows));
+  auto autopilots = std::make_unique<Autopilots>(c.ship, c.addedMassInf, length());
+  autopilots_ = autopilots.get();
+  added(std::move(autopilots));
+  if (follows && settings.model.hullLift) added(std::make_unique<HullLift>(c, length()));
+  if (settings.model.keepSpeed) keepSpeed(*settings.model.keepSpeed);
+  if (settings.model.keepCourse) keepCourse(*settings.model.keepCourse);
+}
+
+void Ship::addPart(Part part) {
+  parts_.push_back(std::move(part));
+  partsChanged();
+}
+
+void Ship::partsChanged() {
+  record_.loads.resize(parts_.size(), Vec6::Zero());
+  Fnv1a key;
+  for (Part& part : parts_) {
+    key.add(part.name.c_str(), part.name.size() + 1);
+    part.replaced = false;
+  }
+  partsKey_ = key.value();
+  for (const Part& part : parts_) {
+    if (!part.on || !part.force) continue;
+    for (const std::string_view name : part.force->replaces()) {
+      for (Part& other : parts_) other.replaced = other.replaced || other.name == name;
+    }
+  }
+}
+
+std::size_t Ship::indexOf(std::string_view name) const {
+  std::string known;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (parts_[i].name == name) return i;
+    known += (i > 0 ? ", " : "") + parts_[i].name;
+  }
+  refuse("no part of the load is called \"" + std::string(name) + "\"; there are " + known);
+}
+
+std::vector<std::string_view> Ship::parts() const {
+  std::vector<std::string_view> names;
+  for (const Part& part : parts_) names.emplace_back(part.name);
+  return names;
+}
+
+const Vec6& Ship::load(std::string_view part) const { return record_.loads[indexOf(part)]; }
+
+void Ship::addForce(std::unique_ptr<ForceGenerator> force) {
+  if (!force) refuse("addForce: no force (null pointer)");
+  const std::string name(force->name());
+  if (!isName(name)) {
+    refuse("addForce: \"" + name + "\" is no name of a part; letters, digits and _ only");
+  }
+  for (const Part& part : parts_) {
+    if (part.name == name) refuse("addForce: there is a part called \"" + name + "\" already");
+  }
+  if (preparedFor_ > 0.0) force->prepare(preparedFor_);
+  force->reset();
+  addPart({.name = name, .force = std::move(force), .byUser = true});
+}
+
+std::unique_ptr<ForceGenerator> Ship::removeForce(std::string_view part) {
+  const std::size_t i = indexOf(part);
+  if (!parts_[i].byUser) {
+    refuse("removeForce: \"" + parts_[i].name +
+           "\" is no part of yours; setEnabled switches it off");
+  }
+  std::unique_ptr<ForceGenerator> force = std::move(parts_[i].force);
+  parts_.erase(parts_.begin() + static_cast<std::ptrdiff_t>(i));
+  record_.loads.erase(record_.loads.begin() + static_cast<std::ptrdiff_t>(i));
+  broken_ = kNone;
+  partsChanged();
+  return force;
+}
+
+void Ship::setEnabled(std::string_view name, bool on) {
+  const std::size_t i = indexOf(name);
+  if (i == kGravityPart) refuse("gravity is Bullet's own part; set the world's");
+  Part& part = parts_[i];
+  if (part.on == on) return;
+  part.on = on;
+  record_.loads[i].setZero();
+  if (on && part.force) part.force->reset();
+  if (i == kAddedMassPart) addedMass_->setActive(on);
+  partsChanged();
+}
+
+void Ship::switchOff(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    try {
+      setEnabled(name, false);
+    } catch (const HydroError& error) {
+      throw HydroError(error.fault(), std::string("without: ") + error.what());
+    }
+  }
+}
+
+bool Ship::enabled(std::string_view part) const { return parts_[indexOf(part)].active(); }
+
+std::string Ship::brokenPart() {
+  const std::string name = broken_ < parts_.size() ? parts_[broken_].name : "";
+  broken_ = kNone;
+  return name;
+}
+
+void Ship::measureCosts(bool on) noexcept {
+  measuring_ = on;
+  if (!on) return;
+  for (Part& part : parts_) {
+    part.nanoseconds = 0.0;
+    part.timed = 0;
+  }
+}
+
+std::vector<double> Ship::costs() const {
+  std::vector<double> mean;
+  for (const Part& part : parts_) {
+    mean.push_back(part.timed > 0 ? part.nanoseconds / static_cast<double>(part.timed) : 0.0);
+  }
+  return mean;
+}
+
+void Ship::keepSpeed(const SpeedKeeper& order) { autopilots_->hold(order); }
+void Ship::keepCourse(const CourseKeeper& order) { autopilots_->hold(order); }
+void Ship::stopKeepingSpeed() noexcept { autopilots_->releaseSpeed(); }
+void Ship::stopKeepingCourse() noexcept { autopilots_->releaseCourse(); }
+
+CUTWATER_PLUGIN_END
