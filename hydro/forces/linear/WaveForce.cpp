@@ -106,11 +106,8 @@ void WaveForce::follow(const Course& course) noexcept {
 Wrench WaveForce::evaluate(const TickInput& now) noexcept {
   const Course course{now.meanHeading, now.speed};
   if (std::isfinite(course.heading) && std::isfinite(course.speed)) {
-    if (now.courseBegins) {
-      renewAll(course);
-    } else if (table_) {
-      follow(course);
-    }
+    if (now.courseBegins) renewAll(course);
+    if (table_) follow(course);
   }
   const std::size_t count = std::min(blocks_.size(), now.phasors.size());
   const auto sums = sumOf({blocks_.data(), count}, now.phasors.first(count));
