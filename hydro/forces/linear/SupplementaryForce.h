@@ -18,8 +18,8 @@ class SupplementaryForce final : public ForceGenerator {
   }
   std::string_view name() const noexcept override { return "supplementary"; }
   Wrench evaluate(const TickInput& now) noexcept override {
-    Vec6 force =
-        -(terms_.damping.cwiseProduct(now.etaDotNow) + terms_.stiffness.cwiseProduct(now.eta));
+    Vec6 force = Vec6::Zero() - terms_.damping.cwiseProduct(now.etaDotNow) -
+                 terms_.stiffness.cwiseProduct(now.eta);
     force[Yaw] -= terms_.damping[Yaw] * now.turnRate;
     const double roll = now.etaDotNow[Roll];
     force[Roll] -= terms_.rollDampingQuadratic * (roll < 0.0 ? -roll : roll) * roll;
