@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "hydro/database/CoefficientsFile.h"
+#include "hydro/forces/Hydrodynamics.h"
 #include "hydro/waves/Spectrum.h"
 #include "plugin/Seaway.h"
 
@@ -23,7 +23,7 @@ int main(int argc, char** argv) try {
   const cutwater::SeaState sea =
       cutwater::makeSeaState({.hs = 2.0, .tp = 8.0}, {.heading = cutwater::kPi / 2, .ramp = 10.0});
   cutwater::Seaway seaway(world, sea);
-  const cutwater::Coefficients frigate = cutwater::readCoefficients(argv[1]);
+  const auto frigate = cutwater::readHydrodynamics(argv[1]);
   cutwater::Ship& ship = seaway.addShip(frigate);
 
   std::FILE* csv = argc > 2 ? std::fopen(argv[2], "w") : stdout;
