@@ -5,19 +5,25 @@
 
 CUTWATER_PLUGIN_BEGIN
 
-/// Added mass A∞, a full 6×6 as large as the ship's own, inside Bullet's stock solver, which knows
-/// a scalar mass and three inertias only. Every impulse of the tick (gravity, loads, the user's
-/// forces, contacts, joints) then moves M + A∞ instead of M.
-///     (M + A∞)(v⁺ − v⁻) = P      as      M(v⁺ − v⁻) = P + Σ_r J_rᵀλ_r,  λ_r = −l_r J_r(v⁺ − v⁻)
-///     A∞ x_r = l_r M x_r,  x_rᵀ M x_r = 1,  J_r = M x_r  in body axes, turned with the body, or
-/// with axes of the caller's (follow): a ship's turn with her heading but do not heel with her.
+/// Added mass A∞, a full 6×6 as large as the ship's own, inside Bullet's stock solver, which knows a
+/// scalar mass and three inertias only. Every impulse of the tick (gravity, loads, the user's forces,
+/// contacts, joints) then moves M + A∞ instead of M. Seaway makes one for each ship; for a body without
+/// other hydrodynamics:
+///     AddedMassConstraint added(body, addedMass);
+///     world.addConstraint(&added);
+///     // in the internal pre-tick: added.beginTick(step);   in an action: added.endTick();
+///
+///     (M + A∞)(v⁺ − v⁻) = P      as      M(v⁺ − v⁻) = P + Σ_r J_rᵀλ_r,   λ_r = −l_r J_r(v⁺ − v⁻)
+///     A∞ x_r = l_r M x_r,   x_rᵀ M x_r = 1,   J_r = M x_r
+/// in body axes, turned with the body, or in axes of the caller's (follow): a ship's turn with its
+/// heading but do not heel with it.
 /// When the axes R turn, A∞ turns with them, and what acts is the rate of the water's momentum:
-///     force = −d(R A∞ Rᵀ v)/dt,  so that A∞ v⁻ above is the momentum p⁻ at the last solve.
-/// Over any motion that returns on itself it sums to nothing: a rolling and heaving ship does not
-/// drift by it, as she would with R A∞ Rᵀ dv/dt (roll times heave acceleration has a mean).
+///     force = −d(R A∞ Rᵀ v)/dt,   so that A∞ v⁻ above is the momentum p⁻ at the last solve.
+/// Over any motion that returns on itself it sums to nothing: a rolling and heaving ship does not drift
+/// by it, as it would with R A∞ Rᵀ dv/dt (roll times heave acceleration has a mean).
 /// A ship under way has a mean velocity V and a mean heading that turns (setMean). What linear theory
-/// says of them is in its terms b(U), c(U), K^U; so V turns with the mean heading without any force,
-/// and the momentum of the rest is kept in axes that turn with it:
+/// says of them is in its terms b(U), c(U), K^U. So V turns with the mean heading without any force, and
+/// the momentum of the rest is kept in axes that turn with it:
 ///     p⁻ = R′A∞R′ᵀ QV + Q R A∞ Rᵀ(v⁻ − V),   Q the tick's turn of the mean heading, R′ the axes now
 /// In axes of the mean heading the force is then −d(A∞v)/dt: a hull that coasts and turns keeps
 /// ½vᵀ(M + A∞)v.                                                          theory: Traps, turning
@@ -25,16 +31,16 @@ CUTWATER_PLUGIN_BEGIN
 /// without contacts one Gauss-Seidel pass is exact. With contacts or joints the sweeps converge as
 /// (l/(1+l))ⁿ against a much heavier partner; see iterationsFor().
 ///
-/// v⁻ is the velocity after the last tick's solve, not that before this one, so that an impulse
-/// that a user applies between two ticks moves M + A∞ too. Call beginTick() before and endTick()
-/// after each internal tick (Seaway does). Bullet's linear and angular factors are not respected:
-/// hold a mode by a constraint. btMLCPSolver mishandles constraints with one body and must not be
-/// used.
+/// v⁻ is the velocity after the last tick's solve, not that before this one, so that an impulse that a
+/// user applies between two ticks moves M + A∞ too. Bullet's linear and angular factors are not
+/// respected: hold a mode by a constraint. btMLCPSolver mishandles constraints with one body and must
+/// not be used.
 class AddedMassConstraint final : public btTypedConstraint {
  public:
   /// @param body      a dynamic body; keeps its own mass and inertia; must outlive this object.
-  /// @param addedMass A∞ [kg, kg·m, kg·m²] about the centre of mass in body axes (of the axes followed), any 6×6: its
-  ///                  antisymmetric part (discretisation error) is dropped, negative l are clipped.
+  /// @param addedMass A∞ [kg, kg·m, kg·m²] about the centre of mass in body axes (of the axes
+  ///                  followed), any 6×6: its antisymmetric part (discretisation error) is dropped,
+  ///                  negative l are clipped.
   /// @throws HydroError ValueOutOfRange: A∞ not finite, or the body is static.
   AddedMassConstraint(btRigidBody& body, const Mat6& addedMass);
 
@@ -46,8 +52,8 @@ class AddedMassConstraint final : public btTypedConstraint {
     followed_ = axes;
     follows_ = true;
   }
-  /// V [units/s] in the world's axes at the last solve, and the turn of the mean heading since [rad] about
-  /// `up`. Call each tick before the solve; without it V = 0 and nothing turns.
+  /// V [units/s] in the world's axes at the last solve, and the turn of the mean heading since [rad]
+  /// about `up`. Call each tick before the solve; without it V = 0 and nothing turns.
   void setMean(const btVector3& velocity, double turn, const btVector3& up) noexcept;
   /// Off: it applies nothing until it is on again, when what happened before is not felt.
   void setActive(bool on) noexcept;
@@ -63,7 +69,8 @@ class AddedMassConstraint final : public btTypedConstraint {
   const btMatrix3x3& pastAxes() const noexcept { return pastAxes_; }
   void setPast(const btVector3& linear, const btVector3& angular, const btMatrix3x3& axes) noexcept;
 
-  /// Force [N] and moment [N·m] about G in E that it applied, mean over the last tick: −d(R A∞ Rᵀ v)/dt.
+  /// Force [N] and moment [N·m] about G in E that it applied, mean over the last tick:
+  /// −d(R A∞ Rᵀ v)/dt.
   Vec3 force() const noexcept;
   Vec3 moment() const noexcept;
 

@@ -5,9 +5,9 @@
 
 CUTWATER_PLUGIN_BEGIN
 
-/// Holds some of a ship's modes on a mean course that moves and turns: one row a mode that asks for the
-/// velocity which brings her onto the course by the end of the tick, whatever acts on her. (A stock six
-/// degree of freedom joint to the world would trail behind a moving course.)
+/// Holds some of a ship's modes on a mean course that moves and turns. One row a mode asks for the
+/// velocity that brings the ship onto the course by the end of the tick, whatever acts on it. (A stock
+/// six degree of freedom joint to the world would trail behind a moving course.)
 class CourseRestraint final : public btTypedConstraint {
  public:
   /// @param body  must outlive this object.  @param modes  held, surge to yaw.

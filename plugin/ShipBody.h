@@ -9,7 +9,7 @@ CUTWATER_PLUGIN_BEGIN
 /// What a ship is to Bullet: shape and body, in the world's axes and units.
 
 /// Convex hull of the ship's mesh in B (origin in G), of at most some forty of its vertices, taken
-/// in directions spread evenly over her bounding box, so that a slender hull keeps her ends.
+/// in directions spread evenly over its bounding box, so that a slender hull keeps its ends.
 /// Bullet's collision margin, 0.04 units, is added to it in contacts.
 /// @throws HydroError DatabaseIncomplete: the database has no mesh.
 std::unique_ptr<btCollisionShape> convexHull(const ShipParticulars& ship, const WorldFrame& frame);

@@ -9,10 +9,10 @@ namespace cutwater {
 /// Fixed: a straight line at constant speed, as in [M03]. Filtered: it follows the ship slowly, each of
 /// x, y, ψ by a low-pass filter of third order with all poles at −ν,
 ///     x̄⃛ = ν³(x − x̄) + 3ν²(ẋ − x̄˙) − 3ν x̄¨,      x̄/x = (3ν²s + ν³)/(s + ν)³
-/// which keeps up with steady motion without lag, moves with continuous acceleration, and lets
-/// 3(ν/ω)² of a motion of frequency ω through: at ν = 1/15 s and ω = 0.6 rad/s 4 %. A step of
-/// velocity is followed in 1.6/ν, with 25 % of overshoot, which is the price of catching up in place.
-/// U = x̄˙ cos ψ̄ + ȳ˙ sin ψ̄; leeway, the part across, is left to the motion about the course.
+/// It keeps up with steady motion without lag and moves with continuous acceleration. Of a motion of
+/// frequency ω it lets 3(ν/ω)² through: at ν = 1/15 s and ω = 0.6 rad/s 4 %. A step of velocity is
+/// followed in 1.6/ν, with 25 % of overshoot, which is the price of catching up in place.
+/// U = x̄˙ cos ψ̄ + ȳ˙ sin ψ̄. Leeway, the part across, is left to the motion about the course.
 class MeanCourse {
  public:
   /// @param followTime  1/ν [s]; 0: fixed.  @throws HydroError ValueOutOfRange: negative, not finite.
@@ -38,7 +38,7 @@ class MeanCourse {
   /// Begins anew at a place, on a heading, at a steady speed.
   void reset(double x, double y, double heading, double speed, double turnRate = 0.0) noexcept;
 
-  /// Where the ship is at the end of a tick, and her mean velocity over it.
+  /// Where the ship is at the end of a tick, and its mean velocity over it.
   struct Observed {
     double x, y, heading;                   ///< [m], [rad] modulo 2π
     double velocityX, velocityY, turnRate;  ///< [m/s] in E, [rad/s]

@@ -1,0 +1,73 @@
+"""parts_test.py COMMAND DATABASE: the parts of the load as the command shows them: columns, lines, switches."""
+import csv
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+COMMAND, DATABASE = (os.path.abspath(a) for a in sys.argv[1:3])
+PARTS = ["gravity", "restoring", "froude_krylov", "diffraction", "radiation", "added_mass", "supplementary",
+         "autopilots"]
+RUN = f"""database = "{DATABASE}"
+[bullet]
+duration = 20.0
+[waves]
+type = "regular"
+omega = 0.8
+ramp = 1.0
+"""
+
+
+class Parts(unittest.TestCase):
+    def simulate(self, motion="", *options):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "run.toml")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(RUN + "[motion]\n" + motion)
+            return subprocess.run([COMMAND, "simulate", path, *options], capture_output=True, text=True,
+                                  check=False)
+
+    def rows(self, done):
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return list(csv.DictReader(done.stdout.splitlines()))
+
+    def test_columns_are_those_of_the_parts_in_order(self):
+        rows = self.rows(self.simulate("", "--forces"))
+        expected = [f"{part}_F{j}" for part in PARTS for j in range(1, 7)]
+        self.assertEqual(list(rows[0])[14:], expected)
+        free = self.rows(self.simulate('mean = "filtered"\n', "--forces"))
+        self.assertEqual(list(free[0])[14:], expected + [f"hull_lift_F{j}" for j in range(1, 7)])
+
+    def test_each_part_says_its_mean_and_what_it_costs(self):
+        done = self.simulate("", "--forces")
+        rows = self.rows(done)
+        lines = [line for line in done.stderr.splitlines() if ": mean" in line]
+        self.assertEqual([line.split(":")[0] for line in lines], PARTS)
+        heave = sum(float(row["radiation_F3"]) for row in rows) / len(rows)
+        radiation = lines[PARTS.index("radiation")]
+        self.assertAlmostEqual(float(radiation.split()[4].rstrip(",")), heave, delta=1e-4 * abs(heave))
+        self.assertIn("ns a tick", radiation)
+        self.assertNotIn("ns a tick", lines[0])  # gravity is Bullet's
+        self.assertNotIn("mean", self.simulate().stderr)
+
+    def test_a_part_that_is_switched_off_has_no_load_and_the_motion_is_another(self):
+        with_all = self.rows(self.simulate("", "--forces"))
+        without = self.rows(self.simulate('without = ["radiation"]\n', "--forces"))
+        self.assertTrue(all(float(row["radiation_F3"]) == 0.0 for row in without))
+        self.assertTrue(any(float(row["radiation_F3"]) != 0.0 for row in with_all))
+        self.assertNotEqual([row["z"] for row in with_all], [row["z"] for row in without])
+
+    def test_a_part_that_there_is_not_is_refused_by_file_field_and_name(self):
+        for motion, words in (('without = ["sail"]\n', ["run.toml", "without", '"sail"', "radiation"]),
+                              ('without = ["gravity"]\n', ["run.toml", "without", "gravity"]),
+                              ('without = "radiation"\n', ["run.toml", "[motion] without", "list"])):
+            done = self.simulate(motion)
+            self.assertEqual(done.returncode, 1)
+            self.assertEqual(done.stdout, "")
+            for word in words:
+                self.assertIn(word, done.stderr.strip().splitlines()[-1])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
