@@ -50,8 +50,8 @@ TEST(RadiationIdentity, IsTheMemorysForceLessTheDampingAndStiffnessOfSpeed) {
 }
 
 // On a free course the terms of speed are those of a ship held at u = U + η̇₁, and a surge force beside them
-// that makes their work on her oscillation and her turning, and its own on her way u, zero. Round-off.
-TEST(RadiationIdentity, WorkOfSpeedTermsOnAFreeShipComesOutOfHerWay) {
+// that makes their work on its oscillation and its turning, and its own on its way u, zero. Round-off.
+TEST(RadiationIdentity, WorkOfSpeedTermsOnAFreeShipComesOutOfItsWay) {
   const auto model = modelOf(ForwardSpeedForm::Tuck);
   Radiation force = radiation(model, true), held = radiation(model), resting = radiation(model);
   TickInput motion = anyMotion(), at = motion, rest = motion;

@@ -49,7 +49,7 @@ struct Rig final : TickListener {
   std::function<void()> load;  // impulses of the pre-tick
 };
 
-// A frigate, and a boat of a tenth of her length.
+// A frigate, and a boat of a tenth of its length.
 struct Size {
   double length, mass;
   Vec3 inertia;

@@ -78,7 +78,7 @@ Vec6 pairResponse(const Mat6& first, const Mat6& second, const Eigen::MatrixXd& 
   return system.partialPivLu().solve(right).head<6>();
 }
 
-// Relative error of the ship's response to a blow when held to a second body as large as herself;
+// Relative error of the ship's response to a blow when held to a second body as large as itself;
 // `axis` zero: joined at a point only.
 double joinedError(std::mt19937& random, const Size& ship, const Vec3& axis) {
   btSphereShape shape(1);

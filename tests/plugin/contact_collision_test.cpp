@@ -13,7 +13,7 @@
 namespace cutwater::test {
 namespace {
 
-// A boat with a ball of 0.5 m somewhere on her that meets other balls.
+// A boat with a ball of 0.5 m somewhere on it that meets other balls.
 struct Boat {
   Boat(btDiscreteDynamicsWorld& owner, const Mat6& water, const Vec3& ball, const btTransform& pose)
       : world(owner), added(water) {

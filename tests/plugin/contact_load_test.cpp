@@ -1,4 +1,4 @@
-// What a ship carries: a load that hangs from her, one that stands on her.
+// What a ship carries: a load that hangs from it, one that stands on it.
 #include <gtest/gtest.h>
 
 #include <algorithm>

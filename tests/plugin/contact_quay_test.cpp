@@ -12,9 +12,9 @@ namespace {
 // Momentum along y is exchanged between sphere, water and quay.
 struct Drift {
   double taken = 0.0;   // by the quay [N s]
-  double blow = 0.0;    // of it until she has stopped
-  double atBlow = 0.0;  // her speed before [m/s]
-  double lost = 0.0;    // of the balance, at worst, of her momentum at first
+  double blow = 0.0;    // of it until the sphere has stopped
+  double atBlow = 0.0;  // its speed before [m/s]
+  double lost = 0.0;    // of the balance, at worst, of its momentum at first
   double energy = 0.0;  // largest over that at first
   double first = 0.0;   // (m + A22) v at first
   double left = 0.0;    // at the end
@@ -68,7 +68,7 @@ Drift drift(int iterations, int ticks, double gap, int perCall = 1) {
   return result;
 }
 
-// Sphere, water and quay share her momentum to round-off, once the sweeps have converged: l = 0.27, so that
+// Sphere, water and quay share the momentum to round-off, once the sweeps have converged: l = 0.27, so that
 // ten of them leave (l/(1 + l))^10 = 2e-7. Float sums 1900 ticks of rounding.
 TEST(QuayIdentity, MomentumIsThatOfSphereWaterAndQuay) {
   for (const int iterations : {5, 10, 20, 50, 100}) {
@@ -93,8 +93,8 @@ TEST(QuayClosedForm, TheBlowIsThatOfMassPlusAddedMass) {
     const Drift d = drift(20, 1920, gap);
     EXPECT_NEAR(d.blow / (d.first * d.atBlow / speed), 1.0, 2e-3) << gap;
   }
-  // Hardly under way when she is stopped, she has set no water in motion that comes after her; and 1 m on, the
-  // waves of her start have slowed her, and hers of the stop push her off.
+  // Hardly under way when it is stopped, it has set no water in motion that comes after it. 1 m on,
+  // the waves of its start have slowed it, and those of the stop push it off.
   const Drift near = drift(20, 1920, 0.01), far = drift(20, 1920, 1.0);
   EXPECT_NEAR(near.taken / near.first, 1.0, 2e-3);
   EXPECT_LT(far.left, 0.0);

@@ -9,7 +9,7 @@
 namespace cutwater::test {
 namespace {
 
-// The slender ship in a world of her own.
+// The slender ship in a world of its own.
 struct Afloat {
   explicit Afloat(const ShipSettings& settings, SeaState sea = {})
       : seaway(world.world, std::move(sea)), ship(&seaway.addShip(coefficients, settings)) {}
@@ -30,7 +30,7 @@ ShipSettings underWay(double speed, Mean mean) {
   return settings;
 }
 
-TEST(FreeShipIdentity, InCalmWaterSheKeepsHerSpeedAndCourse) {
+TEST(FreeShipIdentity, InCalmWaterItKeepsItsSpeedAndCourse) {
   for (const Mean mean : {Mean::Fixed, Mean::Filtered}) {
     Afloat scene(underWay(10.0, mean));
     scene.run(64 * 60);
@@ -42,7 +42,7 @@ TEST(FreeShipIdentity, InCalmWaterSheKeepsHerSpeedAndCourse) {
   }
 }
 
-TEST(FreeShipIdentity, RestrainedOnAMovingCourseSheStaysOnIt) {
+TEST(FreeShipIdentity, RestrainedOnAMovingCourseItStaysThere) {
   ShipSettings settings = underWay(8.0, Mean::Fixed);
   settings.model.restrained = {true, true, false, false, false, true};
   Afloat scene(settings);
@@ -59,8 +59,8 @@ TEST(FreeShipIdentity, RestrainedOnAMovingCourseSheStaysOnIt) {
 }
 
 // Trap of turning: a coasting hull that turns must not gain ½(A22 − A11)U². Pushed round by a
-// moment, then left alone, she never has more than when it ended.
-TEST(FreeShipIdentity, CoastingAndTurningSheGainsNoEnergy) {
+// moment, then left alone, it never has more than when it ended.
+TEST(FreeShipIdentity, CoastingAndTurningItGainsNoEnergy) {
   Afloat scene(underWay(8.0, Mean::Filtered));
   for (int i = 0; i < 64 * 40; ++i) {
     scene.ship->body().applyTorque(btVector3(0, 0, 4e7));
@@ -77,14 +77,14 @@ TEST(FreeShipIdentity, CoastingAndTurningSheGainsNoEnergy) {
     rise = std::max(rise, now - least);
   }
   EXPECT_LE(largest, start * (1.0 + 1e-4));  // 1e-4: the velocity is extrapolated to the tick
-  // What the waves she made give back: ½v²(A(0) − A(∞)) of her leeway, and c(U)'s share of her yaw.
+  // What the waves it made give back: ½v²(A(0) − A(∞)) of its leeway, and c(U)'s share of its yaw.
   EXPECT_LT(rise, 0.02 * start);
   EXPECT_GT(scene.ship->velocity()[0], 2.0);
   recordResult("Plugin", withPrecision("coasting, turning hull: largest energy over the first"),
                "1", largest / start, "1.0001");
 }
 
-// Without anything that damps leeway or yaw she is broadside in no time, but comes to a bounded motion.
+// Without anything that damps leeway or yaw the ship is broadside in no time, but comes to a bounded motion.
 TEST(FreeShip, WithoutHullLiftMunksMomentTurnsHer) {
   ShipSettings settings = underWay(8.0, Mean::Filtered);
   settings.start.velocity[Yaw] = 0.002;
@@ -98,7 +98,7 @@ TEST(FreeShip, WithoutHullLiftMunksMomentTurnsHer) {
   EXPECT_LT(std::abs(lifted.ship->attitude()[2] - 0.4), 0.05);
 }
 
-TEST(FreeShip, KeepersBringHerToSpeedAndCourseWithinTheirLimits) {
+TEST(FreeShip, AutopilotsBringItToSpeedAndCourseWithinTheirLimits) {
   ShipSettings settings = underWay(0.0, Mean::Filtered);
   settings.model.keepSpeed = SpeedKeeper{.speed = 8.0};
   settings.model.keepCourse = CourseKeeper{.heading = 0.4};
@@ -121,7 +121,7 @@ TEST(FreeShip, KeepersBringHerToSpeedAndCourseWithinTheirLimits) {
             0.02 * weight * 110.0 * 2.0);  // the helmsman's limit and the hull's own damping
 }
 
-// An hour of orders: no force jumps between two ticks by more than a trifle of her weight.
+// An hour of orders: no force jumps between two ticks by more than a trifle of the weight.
 TEST(FreeShip, SpeedsUpTurnsAndStopsForAnHourWithoutAJump) {
   ShipSettings settings = underWay(5.0, Mean::Filtered);
   settings.model.keepSpeed = SpeedKeeper{.speed = 5.0};
@@ -149,7 +149,7 @@ TEST(FreeShip, SpeedsUpTurnsAndStopsForAnHourWithoutAJump) {
     }
   }
   EXPECT_EQ(scene.seaway.faults(), kStepOk);
-  // Second differences: waves of 0.3 of her weight met at 1.5 rad/s give 0.3 (1.5/64)² = 1.6e-4 of it.
+  // Second differences: waves of 0.3 of the weight met at 1.5 rad/s give 0.3 (1.5/64)² = 1.6e-4 of it.
   EXPECT_LT(jump, 3e-4);
   EXPECT_LT(std::abs(scene.ship->position().z() - 1.0), 2.0);
   recordResult("Plugin", withPrecision("largest second difference of a force, over the weight"),
@@ -201,7 +201,7 @@ TEST(FreeShip, RollbackWhileTwoShipsTouchGivesTheSameBits) {
   EXPECT_EQ(scene.seaway.faults(), kStepOk);
 }
 
-TEST(FreeShip, BothMemoriesMoveHerAlike) {
+TEST(FreeShip, BothMemoriesMoveItAlike) {
   ShipSettings settings = underWay(6.0, Mean::Filtered);
   settings.start.offset[Heave] = 1.0;
   settings.start.velocity[Yaw] = 0.01;

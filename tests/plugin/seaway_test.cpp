@@ -218,7 +218,7 @@ TEST(Seaway, ABodyTakenOutOfTheWorldIsReported) {
   EXPECT_EQ(seaway.faults(), kBodyNotInWorld);
   seaway.clearFaults();
   plain.world.addRigidBody(&ship.body());
-  ship.body().setLinearVelocity(btVector3(1, 0, 0));  // she comes back moving, and nothing is felt
+  ship.body().setLinearVelocity(btVector3(1, 0, 0));  // it comes back moving, and nothing is felt
   run(plain.world, 2);
   EXPECT_EQ(seaway.faults(), kStepOk);
   EXPECT_NEAR(ship.velocity()[0], 1.0, 1e-3);  // less two ticks of radiation, K(0) h v/(M + A) each

@@ -29,7 +29,7 @@ TEST(Ship, SnapshotAndRestoreGiveTheSameBits) {
   EXPECT_TRUE(sameBits(scene.sphere->body(), twin.sphere->body()));
 }
 
-TEST(Ship, PlacedElsewhereSheIsAtRestThere) {
+TEST(Ship, PlacedElsewhereItIsAtRestThere) {
   Scene scene({.start = {.offset = one(Heave, 1.0)}});
   scene.run(100);
   scene.sphere->placeAt(400, -300, 0.5);
@@ -123,7 +123,7 @@ TEST(Ship, AnotherTickLengthRestartsTheMemoryAndSaysSo) {
 }
 
 // The shape of a slender hull reaches as far as the hull itself, plus Bullet's margin.
-TEST(Ship, CollidesOnTheConvexHullOfHerOwnMesh) {
+TEST(Ship, CollidesOnTheConvexHullOfItsOwnMesh) {
   Coefficients slender = hemisphere();
   for (int i = 0; i <= 40; ++i) {
     for (int j = 0; j < 24; ++j) {
@@ -143,7 +143,7 @@ TEST(Ship, CollidesOnTheConvexHullOfHerOwnMesh) {
   EXPECT_LT((fromBullet(high) - (Vec3(60, 7, 5 + 2) + margin)).norm(), 0.01);
 }
 
-TEST(Ship, WithoutHullOrShapeSheIsRefused) {
+TEST(Ship, WithoutHullOrShapeItIsRefused) {
   TestWorld world(kSphereGravity);
   Seaway seaway(world.world);
   const Coefficients coefficients = hemisphere();

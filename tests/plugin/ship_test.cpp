@@ -44,7 +44,7 @@ TEST(ShipClosedForm, ABlowBetweenTicksMovesMassPlusAddedMass) {
   set.run(3);
   set.sphere->resetVelocity(Vec3(0.5, 0, 0), Vec3::Zero());
   set.run(1);
-  // Set, not struck: the one tick's radiation force, K(0) h v, is all that slows her.
+  // Set, not struck: the one tick's radiation force, K(0) h v, is all that slows it.
   EXPECT_NEAR(velocityOf(set.sphere->body())[Surge], 0.5, 2e-4);
 }
 
@@ -118,8 +118,8 @@ TEST(ShipConvergence, SecondOrderInTheTickWithAConsistentStartFirstFromRest) {
 }
 
 // An impulse first meets A(∞), then, its waves gone, A(0): Ogilvie's A(0) = A(∞) − ∫τK dτ as
-// momentum. After that nothing slows her: ∫K dτ = 0 must hold in the sum of ticks, too.
-TEST(ShipIdentity, PushedOffSheSettlesAtTheSpeedOfZeroFrequencyAddedMassAndKeepsIt) {
+// momentum. After that nothing slows it: ∫K dτ = 0 must hold in the sum of ticks, too.
+TEST(ShipIdentity, PushedOffItSettlesAtTheSpeedOfZeroFrequencyAddedMassAndKeepsIt) {
   Scene scene;
   scene.sphere->resetVelocity(Vec3(10, 0, 0), Vec3::Zero());
   scene.run(2000 * 64);  // the slowest of the poles of the memory dies as e^{−t/30 s}

@@ -142,7 +142,7 @@ TEST(Seaway, DrawsWavesForcesAndWaterlines) {
   scene.world.world.setDebugDrawer(nullptr);
 }
 
-TEST(Seaway, AMassTakenAwayHoldsHerStillAndGivenBackLetsHerGo) {
+TEST(Seaway, AMassTakenAwayHoldsTheShipStillAndGivenBackLetsItGo) {
   Measured scene({});
   scene.run(10);
   btRigidBody& body = scene.ship().body();
