@@ -5,10 +5,10 @@
 
 CUTWATER_PLUGIN_BEGIN
 
-/// Added mass A∞, a full 6×6 as large as the ship's own, inside Bullet's stock solver, which knows a
-/// scalar mass and three inertias only. Every impulse of the tick (gravity, loads, the user's forces,
-/// contacts, joints) then moves M + A∞ instead of M. Seaway makes one for each ship; for a body without
-/// other hydrodynamics:
+/// Added mass A∞, a full 6×6 as large as the ship's own, inside Bullet's stock solver, which knows
+/// a scalar mass and three inertias only. Every impulse of the tick (gravity, loads, the user's
+/// forces, contacts, joints) then moves M + A∞ instead of M. Seaway makes one for each ship; for a
+/// body without other hydrodynamics:
 ///     AddedMassConstraint added(body, addedMass);
 ///     world.addConstraint(&added);
 ///     // in the internal pre-tick: added.beginTick(step);   in an action: added.endTick();
@@ -19,10 +19,10 @@ CUTWATER_PLUGIN_BEGIN
 /// heading but do not heel with it.
 /// When the axes R turn, A∞ turns with them, and what acts is the rate of the water's momentum:
 ///     force = −d(R A∞ Rᵀ v)/dt,   so that A∞ v⁻ above is the momentum p⁻ at the last solve.
-/// Over any motion that returns on itself it sums to nothing: a rolling and heaving ship does not drift
-/// by it, as it would with R A∞ Rᵀ dv/dt (roll times heave acceleration has a mean).
-/// A ship under way has a mean velocity V and a mean heading that turns (setMean). What linear theory
-/// says of them is in its terms b(U), c(U), K^U. So V turns with the mean heading without any force, and
+/// Over any motion that returns on itself it sums to nothing: a rolling and heaving ship does not
+/// drift by it, as it would with R A∞ Rᵀ dv/dt (roll times heave acceleration has a mean). A ship
+/// under way has a mean velocity V and a mean heading that turns (setMean). What linear theory says
+/// of them is in its terms b(U), c(U), K^U. So V turns with the mean heading without any force, and
 /// the momentum of the rest is kept in axes that turn with it:
 ///     p⁻ = R′A∞R′ᵀ QV + Q R A∞ Rᵀ(v⁻ − V),   Q the tick's turn of the mean heading, R′ the axes now
 /// In axes of the mean heading the force is then −d(A∞v)/dt: a hull that coasts and turns keeps
@@ -31,10 +31,10 @@ CUTWATER_PLUGIN_BEGIN
 /// without contacts one Gauss-Seidel pass is exact. With contacts or joints the sweeps converge as
 /// (l/(1+l))ⁿ against a much heavier partner; see iterationsFor().
 ///
-/// v⁻ is the velocity after the last tick's solve, not that before this one, so that an impulse that a
-/// user applies between two ticks moves M + A∞ too. Bullet's linear and angular factors are not
-/// respected: hold a mode by a constraint. btMLCPSolver mishandles constraints with one body and must
-/// not be used.
+/// v⁻ is the velocity after the last tick's solve, not that before this one, so that an impulse
+/// that a user applies between two ticks moves M + A∞ too. Bullet's linear and angular factors are
+/// not respected: hold a mode by a constraint. btMLCPSolver mishandles constraints with one body
+/// and must not be used.
 class AddedMassConstraint final : public btTypedConstraint {
  public:
   /// @param body      a dynamic body; keeps its own mass and inertia; must outlive this object.
@@ -52,8 +52,8 @@ class AddedMassConstraint final : public btTypedConstraint {
     followed_ = axes;
     follows_ = true;
   }
-  /// V [units/s] in the world's axes at the last solve, and the turn of the mean heading since [rad]
-  /// about `up`. Call each tick before the solve; without it V = 0 and nothing turns.
+  /// V [units/s] in the world's axes at the last solve, and the turn of the mean heading since
+  /// [rad] about `up`. Call each tick before the solve; without it V = 0 and nothing turns.
   void setMean(const btVector3& velocity, double turn, const btVector3& up) noexcept;
   /// Off: it applies nothing until it is on again, when what happened before is not felt.
   void setActive(bool on) noexcept;

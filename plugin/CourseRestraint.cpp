@@ -22,8 +22,8 @@ void CourseRestraint::getInfo1(btConstraintInfo1* info) {
   info->nub = 6 - info->m_numConstraintRows;
 }
 
-// Rows are scaled by √m or √I, so that J M⁻¹ Jᵀ = 1: Bullet in single precision gives up a row where it
-// is below 1e-7.
+// Rows are scaled by √m or √I, so that J M⁻¹ Jᵀ = 1: Bullet in single precision gives up a row
+// where it is below 1e-7.
 void CourseRestraint::getInfo2(btConstraintInfo2* info) {
   int row = 0;
   for (std::size_t j = 0; j < 6; ++j) {

@@ -18,8 +18,8 @@ class TickObserver {
   virtual void tickDone(const Seaway& seaway) noexcept = 0;
 };
 
-/// Waves and ships in a stock Bullet world: discrete, multi-body, soft-rigid or Mt (whose solver runs
-/// serially on Debian, where Bullet has no threads; our own share of a tick may: setThreads).
+/// Waves and ships in a stock Bullet world: discrete, multi-body, soft-rigid or Mt (whose solver
+/// runs serially on Debian, where Bullet has no threads; our own share of a tick may: setThreads).
 ///
 ///     btDiscreteDynamicsWorld world(...);
 ///     world.setGravity({0, 0, -9.81});   // z up, metres; other worlds: WorldFrame
@@ -31,15 +31,16 @@ class TickObserver {
 ///     while (running) world.stepSimulation(frame, 4, 1.0 / 60);   // ship.body() moves
 ///
 /// All loads come from one evaluation per internal tick, so results do not depend on how ticks are
-/// grouped into stepSimulation calls, nor on threads. The tick should be fixed: another length restarts
-/// the memory of radiated waves. Gravity, contacts, joints, forces, callbacks of the user work as
-/// without us; set velocities by Ship::resetVelocity. One thread at a time, as the world itself.
-/// Contacts and joints need btContactSolverInfo::m_numIterations of AddedMassConstraint::iterationsFor.
+/// grouped into stepSimulation calls, nor on threads. The tick should be fixed: another length
+/// restarts the memory of radiated waves. Gravity, contacts, joints, forces, callbacks of the user
+/// work as without us; set velocities by Ship::resetVelocity. One thread at a time, as the world
+/// itself. Contacts and joints need btContactSolverInfo::m_numIterations of
+/// AddedMassConstraint::iterationsFor.
 class Seaway final {
  public:
   /// @param world must outlive the Seaway.
-  /// @throws HydroError SolverNotSupported: btMLCPSolver treats a constraint whose two bodies are one as
-  ///         two bodies and ignores its softness, so that M + A∞ would be wrong in contacts;
+  /// @throws HydroError SolverNotSupported: btMLCPSolver treats a constraint whose two bodies are
+  ///         one as two bodies and ignores its softness, so that M + A∞ would be wrong in contacts;
   ///         BadArgument: the world has a Seaway; ValueOutOfRange: frame.
   explicit Seaway(btDiscreteDynamicsWorld& world, SeaState sea = {}, const WorldFrame& frame = {});
   /// Takes its ships out and leaves the world's callback as it was found.
@@ -47,20 +48,22 @@ class Seaway final {
   Seaway(const Seaway&) = delete;
   Seaway& operator=(const Seaway&) = delete;
 
-  /// A new ship at its mean course. Ships that are given the same Hydrodynamics share it; another mass
-  /// distribution on the same waterline is withLoading(coefficients, …) of database/ChangeOfLoading.h.
-  /// @throws HydroError ValueOutOfRange: gravity not along −z or zero, mass or gyradii not positive, a
-  ///         wave outside the database; DatabaseIncomplete: no hull in it and no shape given;
-  ///         BadArgument: a null pointer, an unknown part in `without`. Nothing has changed then.
+  /// A new ship at its mean course. Ships that are given the same Hydrodynamics share it; another
+  /// mass distribution on the same waterline is withLoading(coefficients, …) of
+  /// database/ChangeOfLoading.h.
+  /// @throws HydroError ValueOutOfRange: gravity not along −z or zero, mass or gyradii not
+  ///         positive, a wave outside the database; DatabaseIncomplete: no hull in it and no shape
+  ///         given; BadArgument: a null pointer, an unknown part in `without`. Nothing has changed
+  ///         then.
   Ship& addShip(std::shared_ptr<const Hydrodynamics> hydrodynamics,
                 const ShipSettings& settings = {});
-  /// The user's own body, already in the world, origin in G, axes B; the database's mass within 0.1 %.
-  /// Its pose becomes the mean course (x, y, heading). Of `settings.start` only the speed is used, of
-  /// `settings.collision` nothing.
+  /// The user's own body, already in the world, origin in G, axes B; the database's mass within 0.1
+  /// %. Its pose becomes the mean course (x, y, heading). Of `settings.start` only the speed is
+  /// used, of `settings.collision` nothing.
   Ship& addShip(std::shared_ptr<const Hydrodynamics> hydrodynamics, btRigidBody& body,
                 const ShipSettings& settings = {});
-  /// The same for one ship that shares with no other: Hydrodynamics of its own are made of `coefficients`
-  /// (a copy: temporaries may be passed), some tenths of a second for each call.
+  /// The same for one ship that shares with no other: Hydrodynamics of its own are made of
+  /// `coefficients` (a copy: temporaries may be passed), some tenths of a second for each call.
   Ship& addShip(Coefficients coefficients, const ShipSettings& settings = {});
   Ship& addShip(Coefficients coefficients, btRigidBody& body, const ShipSettings& settings = {});
   /// Ends the hydrodynamics of a ship; a body we made leaves the world.
@@ -82,9 +85,10 @@ class Seaway final {
   std::uint32_t faults() const noexcept { return faults_; }
   void clearFaults() noexcept { faults_ = kStepOk; }
 
-  /// Exact state of time and ships, in their order: going on from it gives the same bits, if contacts are
-  /// forgotten both when it is taken and when it is restored (or there are none). Allocates nothing when
-  /// saved into one of the same ships.   @throws HydroError BadArgument: other ships.
+  /// Exact state of time and ships, in their order: going on from it gives the same bits, if
+  /// contacts are forgotten both when it is taken and when it is restored (or there are none).
+  /// Allocates nothing when saved into one of the same ships.  @throws HydroError BadArgument:
+  /// other ships.
   struct Snapshot {
     double time = 0.0;
     std::vector<Ship::Snapshot> ships;
@@ -92,8 +96,8 @@ class Seaway final {
   Snapshot save() const;
   void save(Snapshot& snapshot) const;
   void restore(const Snapshot& snapshot);
-  /// Makes Bullet forget its contact points, their impulses and its solver's random state, of all bodies
-  /// of the world: what would be left of the future after a rollback.
+  /// Makes Bullet forget its contact points, their impulses and its solver's random state, of all
+  /// bodies of the world: what would be left of the future after a rollback.
   void forgetContacts();
 
   /// Draws waterlines, the parts of the load (1 m for 1 % of the ship's weight) and a grid of waves

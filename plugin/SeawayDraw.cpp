@@ -15,7 +15,8 @@ constexpr int kGrid = 12;             // cells of the wave grid to each side of 
 constexpr double kCell = 0.125;       // of the ship's length
 constexpr double kForceScale = 0.01;  // of its weight: 1 m of arrow
 
-// One colour after the other in the order of the parts, so that a part has the same colour on all ships.
+// One colour after the other in the order of the parts, so that a part has the same colour on all
+// ships.
 const btVector3 kColours[] = {btVector3(0.2f, 0.4f, 1), btVector3(0, 1, 1),    btVector3(0, 1, 0),
                               btVector3(1, 1, 0),       btVector3(1, 0.5f, 0), btVector3(1, 0, 1),
                               btVector3(1, 0, 0),       btVector3(1, 1, 1)};

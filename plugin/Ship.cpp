@@ -273,8 +273,8 @@ std::uint32_t Ship::beginTick(double time, btScalar step) noexcept {
   return faults;
 }
 
-// A∞ follows the ship's heading, not its heel: it belongs to the upright axes of linear theory, as K
-// and C do; turned with a hull that rolls, heave would excite sway at second order.
+// A∞ follows the ship's heading, not its heel: it belongs to the upright axes of linear theory, as
+// K and C do; turned with a hull that rolls, heave would excite sway at second order.
 void Ship::turnAddedMass(const Mat3& heading) noexcept {
   addedMass_->follow(frame_.rotation(heading));
 }

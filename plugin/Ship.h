@@ -47,9 +47,9 @@ struct TickRecord {
   Vec3 position = Vec3::Zero();  ///< G in E [m]
   Vec3 attitude = Vec3::Zero();  ///< roll, pitch, yaw [rad] of R_EB = R_z R_y R_x
   Vec6 velocity = Vec6::Zero();  ///< u, v, w [m/s], p, q, r [rad/s] in B
-  /// Of each part in the order of Ship::parts(): force [N] in H, moment [N·m] about G in upright axes
-  /// with the ship's own heading, to first order H. What contacts, joints and Bullet forces of the user
-  /// add is not here.
+  /// Of each part in the order of Ship::parts(): force [N] in H, moment [N·m] about G in upright
+  /// axes with the ship's own heading, to first order H. What contacts, joints and Bullet forces of
+  /// the user add is not here.
   std::vector<Vec6> loads;
 };
 
@@ -78,14 +78,15 @@ Vec3 eulerAngles(const Mat3& rotation) noexcept;
 ///     hull_lift       Mean::Filtered only
 /// and then those of addForce(). gravity + restoring = −C η.
 ///
-/// First-order forces act in H; moments, and A∞, in upright axes with the ship's own heading (R_z of
-/// its yaw), and velocities are taken alike, so that power is force times velocity. To first order that
-/// is H throughout. Moments in H would set a ship's small roll inertia against its large yaw inertia:
-/// at 3° of yaw their product exceeds roll's own; in body axes a heeled ship's pitch moment would turn
-/// it. Rotations of more than some 20 degrees are outside the linear theory; loads stay finite.
+/// First-order forces act in H; moments, and A∞, in upright axes with the ship's own heading (R_z
+/// of its yaw), and velocities are taken alike, so that power is force times velocity. To first
+/// order that is H throughout. Moments in H would set a ship's small roll inertia against its large
+/// yaw inertia: at 3° of yaw their product exceeds roll's own; in body axes a heeled ship's pitch
+/// moment would turn it. Rotations of more than some 20 degrees are outside the linear theory;
+/// loads stay finite.
 ///
-/// Not in this theory: calm-water resistance, mean drift in waves, steady sinkage and trim, waves from
-/// one ship to another.
+/// Not in this theory: calm-water resistance, mean drift in waves, steady sinkage and trim, waves
+/// from one ship to another.
 class Ship {
  public:
   /// Use Seaway::addShip. World and `own` (null: a body is made) must outlive the ship.
@@ -111,7 +112,8 @@ class Ship {
   const MeanCourse& course() const noexcept { return course_; }  ///< H
   /// (M + A∞)v in E: momentum [N·s] and moment of momentum about G [N·m·s] of ship and water.
   Vec6 momentum() const noexcept;
-  /// ½vᵀ(M + A∞)v + ½ηᵀCη [J] in the middle of the last tick: Bullet's velocity is the mean over it.
+  /// ½vᵀ(M + A∞)v + ½ηᵀCη [J] in the middle of the last tick: Bullet's velocity is the mean over
+  /// it.
   double energy() const noexcept;
   /// A point that moves with the ship. @param point in the hull file's axes turned to ours [m].
   /// Acceleration is the mean over the last tick.
@@ -119,7 +121,8 @@ class Ship {
   /// Water above the keel [m], waves included, at a distance x [m] before the hull file's origin;
   /// negative where the keel is out of the water.
   double draught(double time, double x = 0.0) const noexcept;
-  /// Pose of the hull file's axes (x forward, y port, z up) in the world, in Bullet's axes and units.
+  /// Pose of the hull file's axes (x forward, y port, z up) in the world, in Bullet's axes and
+  /// units.
   btTransform hullTransform() const noexcept;
 
   // The load and its parts.
@@ -132,8 +135,8 @@ class Ship {
   /// Load of one part in the last tick (TickRecord::loads).
   /// @throws HydroError BadArgument, naming the parts there are.
   const Vec6& load(std::string_view part) const;
-  /// Takes a part of the user's, from the next tick on; it comes last in the list. At any time between
-  /// ticks. @throws HydroError BadArgument: null, a name that is taken or is no name.
+  /// Takes a part of the user's, from the next tick on; it comes last in the list. At any time
+  /// between ticks. @throws HydroError BadArgument: null, a name that is taken or is no name.
   void addForce(std::unique_ptr<ForceGenerator> force);
   /// Gives back a part that addForce() took. @throws HydroError BadArgument: there is none.
   std::unique_ptr<ForceGenerator> removeForce(std::string_view part);
@@ -156,17 +159,18 @@ class Ship {
   const Autopilots& autopilots() const noexcept { return *autopilots_; }
 
   /// Sets the velocity [m/s, rad/s] in E. body().setLinearVelocity() would be taken for a blow,
-  /// which M + A∞ resists; this is not. The memory of radiated waves stays; a filtered course takes the
-  /// new velocity at once.
+  /// which M + A∞ resists; this is not. The memory of radiated waves stays; a filtered course takes
+  /// the new velocity at once.
   void resetVelocity(const Vec3& linear, const Vec3& angular) noexcept;
-  /// Puts the ship elsewhere, mean course and all, in calm water: `offset` as in ShipStart. All parts
-  /// forget their past; orders to autopilots stay.
+  /// Puts the ship elsewhere, mean course and all, in calm water: `offset` as in ShipStart. All
+  /// parts forget their past; orders to autopilots stay.
   /// @throws HydroError as SeaTables::exact; nothing has changed then.
   void placeAt(double x, double y, double heading, const Vec6& offset = Vec6::Zero(),
                double speed = 0.0);
 
-  /// Exact state. What Bullet itself remembers is not in it: contact caches (Seaway::forgetContacts),
-  /// forces not yet applied, the part of a frame that is less than a tick.
+  /// Exact state. What Bullet itself remembers is not in it: contact caches
+  /// (Seaway::forgetContacts), forces not yet applied, the part of a frame that is less than a
+  /// tick.
   struct Snapshot {
     btTransform transform, interpolated;
     std::array<btVector3, 4> velocities;  // linear, angular; interpolated
@@ -185,14 +189,15 @@ class Ship {
   Snapshot save() const;
   /// The same into one that exists: allocates nothing if it is of this ship.
   void save(Snapshot& snapshot) const;
-  /// @throws HydroError BadArgument if it is of a ship of other parts, or of another length of tick.
+  /// @throws HydroError BadArgument if it is of a ship of other parts, or of another length of
+  ///         tick.
   void restore(const Snapshot& snapshot);
 
   /// Makes what depends on the tick's length [s]: before the first tick, or that tick will.
   /// @throws HydroError ValueOutOfRange.
   void prepare(double step);
-  /// One evaluation of all loads at t_n and their impulses; StepFault bits. Touches nothing but this
-  /// ship and its body. Seaway calls these.
+  /// One evaluation of all loads at t_n and their impulses; StepFault bits. Touches nothing but
+  /// this ship and its body. Seaway calls these.
   std::uint32_t beginTick(double time, btScalar step) noexcept;
   void endTick(btScalar step) noexcept;
 

@@ -10,8 +10,8 @@ CUTWATER_PLUGIN_BEGIN
 struct Ship::Part {
   std::string name;
   std::unique_ptr<ForceGenerator> force{};  ///< null: Bullet's own, gravity and added_mass
-  /// Potential flow of the database. These loads and those added to them are summed apart, so that an
-  /// added part changes nothing in how the others are rounded.
+  /// Potential flow of the database. These loads and those added to them are summed apart, so that
+  /// an added part changes nothing in how the others are rounded.
   bool potentialFlow = false;
   bool byUser = false;
   bool on = true;            ///< as asked for

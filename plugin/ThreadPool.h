@@ -9,8 +9,8 @@
 
 CUTWATER_PLUGIN_BEGIN
 
-/// Shares the ships of a tick among threads that wait between ticks. Debian's Bullet is built without
-/// threads of its own. run() allocates nothing.
+/// Shares the ships of a tick among threads that wait between ticks. Debian's Bullet is built
+/// without threads of its own. run() allocates nothing.
 class ThreadPool {
  public:
   /// @param threads  in all, the caller's among them; ≥ 1.

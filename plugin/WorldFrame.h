@@ -3,10 +3,11 @@
 
 CUTWATER_PLUGIN_BEGIN
 
-/// How a Bullet world measures: its up axis, its unit of length and of mass, the height of calm water.
-/// Everything that Cutwater gives and takes is SI in E (z up, z = 0 at calm water); everything of
-/// Bullet's own (bodies, worlds, btIDebugDraw) is in the world's axes and units. The world's origin in
-/// plan is E's. Gravity is to be given to Bullet in the world's units, as for any scene.
+/// How a Bullet world measures: its up axis, its unit of length and of mass, the height of calm
+/// water. Everything that Cutwater gives and takes is SI in E (z up, z = 0 at calm water);
+/// everything of Bullet's own (bodies, worlds, btIDebugDraw) is in the world's axes and units. The
+/// world's origin in plan is E's. Gravity is to be given to Bullet in the world's units, as for any
+/// scene.
 struct WorldFrame {
   enum class Up {
     Z,  ///< world x, y, z = E's: a ship at heading 0 has x forward, y to port, z up

@@ -5,8 +5,8 @@
 #include "hydro/Conventions.h"
 #include "hydro/waves/SeaState.h"
 
-/// A load of your own on a ship, in three steps: derive from ForceGenerator, give it a name, return a
-/// Wrench from evaluate(); then
+/// A load of your own on a ship, in three steps: derive from ForceGenerator, give it a name, return
+/// a Wrench from evaluate(); then
 ///     ship.addForce(std::make_unique<Wind>(20.0));
 /// and it is part of every tick, of snapshots, of the CSV (columns wind_F1 … wind_F6), and can be
 /// switched off by that name.
@@ -44,8 +44,8 @@ struct TickInput {
   double turnRate = 0.0;            ///< dψ̄/dt [rad/s]; η̇₆ is the turning beyond it
   bool courseBegins = false;  ///< the course was set anew since the last tick: it did not come here
 
-  // The motion about the mean course, in H. Angular velocities are in upright axes with the ship's own
-  // heading, to first order H.
+  // The motion about the mean course, in H. Angular velocities are in upright axes with the ship's
+  // own heading, to first order H.
   Vec6 eta = Vec6::Zero();        ///< surge, sway, heave of G [m]; roll, pitch, yaw [rad]
   Vec6 etaDot = Vec6::Zero();     ///< η̇ [m/s, rad/s], mean over the tick that ended at t_n
   Vec6 etaDotNow = Vec6::Zero();  ///< η̇ at t_n
@@ -57,12 +57,13 @@ struct TickInput {
 };
 
 /// One part of the load on a ship: radiation, a rudder, wind. Parts do not know each other.
-/// Acceleration is no input, so added mass cannot be a part: plugin/AddedMassConstraint.h carries it.
+/// Acceleration is no input, so added mass cannot be a part: plugin/AddedMassConstraint.h carries
+/// it.
 class ForceGenerator {
  public:
   virtual ~ForceGenerator() = default;
-  /// "radiation": key of queries, prefix of CSV columns. The same for the part's whole life; letters,
-  /// digits and _ only.
+  /// "radiation": key of queries, prefix of CSV columns. The same for the part's whole life;
+  /// letters, digits and _ only.
   virtual std::string_view name() const noexcept = 0;
   /// The load at t_n. Called once a tick, in order of time; may advance the part's own state.
   /// Allocates nothing. A load that is not finite is left out of that tick and reported.

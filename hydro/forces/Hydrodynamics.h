@@ -16,12 +16,12 @@ class RadiationModel;
 ///     const auto frigate = cutwater::readHydrodynamics("frigate.h5");
 ///     seaway.addShip(frigate, {.start = {.x = 0}});
 ///     seaway.addShip(frigate, {.start = {.x = 300}});
-/// It owns its coefficients and lives as long as somebody holds it. Immutable but for what is made when
-/// first asked for; any thread may call.
+/// It owns its coefficients and lives as long as somebody holds it. Immutable but for what is made
+/// when first asked for; any thread may call.
 class Hydrodynamics {
  public:
-  /// @param form  of the forward-speed terms; absent: the database's own, or Tuck's where the database
-  ///              lacks the x-derivatives that its own form needs.
+  /// @param form of the forward-speed terms; absent: the database's own, or Tuck's where the
+  ///              database lacks the x-derivatives that its own form needs.
   /// @throws HydroError BadArgument: a null pointer; DatabaseIncomplete: unfinished coefficients.
   explicit Hydrodynamics(std::shared_ptr<const Coefficients> coefficients,
                          std::optional<ForwardSpeedForm> form = {});
@@ -35,8 +35,8 @@ class Hydrodynamics {
   double length() const noexcept { return length_; }  ///< of the hull, or of its panels [m]
   double keel() const noexcept { return keel_; }      ///< lowest point, hull axes [m]
 
-  /// Retardation functions and, for MemoryModel::Exponential, their fit. Made once for each model, a
-  /// quarter of a second for 60 frequencies.   @throws HydroError as RadiationModel.
+  /// Retardation functions and, for MemoryModel::Exponential, their fit. Made once for each model,
+  /// a quarter of a second for 60 frequencies.  @throws HydroError as RadiationModel.
   std::shared_ptr<const RadiationModel> radiation(MemoryModel memory) const;
 
  private:

@@ -6,16 +6,17 @@
 namespace cutwater {
 
 /// The mean course that linear theory is about: place x̄, ȳ, heading ψ̄ and speed U of frame H in E.
-/// Fixed: a straight line at constant speed, as in [M03]. Filtered: it follows the ship slowly, each of
-/// x, y, ψ by a low-pass filter of third order with all poles at −ν,
+/// Fixed: a straight line at constant speed, as in [M03]. Filtered: it follows the ship slowly,
+/// each of x, y, ψ by a low-pass filter of third order with all poles at −ν,
 ///     x̄⃛ = ν³(x − x̄) + 3ν²(ẋ − x̄˙) − 3ν x̄¨,      x̄/x = (3ν²s + ν³)/(s + ν)³
-/// It keeps up with steady motion without lag and moves with continuous acceleration. Of a motion of
-/// frequency ω it lets 3(ν/ω)² through: at ν = 1/15 s and ω = 0.6 rad/s 4 %. A step of velocity is
-/// followed in 1.6/ν, with 25 % of overshoot, which is the price of catching up in place.
-/// U = x̄˙ cos ψ̄ + ȳ˙ sin ψ̄. Leeway, the part across, is left to the motion about the course.
+/// It keeps up with steady motion without lag and moves with continuous acceleration. Of a motion
+/// of frequency ω it lets 3(ν/ω)² through: at ν = 1/15 s and ω = 0.6 rad/s 4 %. A step of velocity
+/// is followed in 1.6/ν, with 25 % of overshoot, which is the price of catching up in place. U = x̄˙
+/// cos ψ̄ + ȳ˙ sin ψ̄. Leeway, the part across, is left to the motion about the course.
 class MeanCourse {
  public:
-  /// @param followTime  1/ν [s]; 0: fixed.  @throws HydroError ValueOutOfRange: negative, not finite.
+  /// @param followTime 1/ν [s]; 0: fixed.  @throws HydroError ValueOutOfRange: negative, not
+  ///         finite.
   explicit MeanCourse(double followTime = 0.0);
 
   bool follows() const noexcept { return rate_ > 0.0; }

@@ -29,8 +29,8 @@ std::shared_ptr<const ExcitationTable> SeaTables::following() const {
 
 namespace {
 
-// Seen from a ship whose course is turned by ψ̄ to port, a wave towards (cos β, −sin β) travels at the
-// polar angle −β − ψ̄, hence β + ψ̄ relative to the ship.
+// Seen from a ship whose course is turned by ψ̄ to port, a wave towards (cos β, −sin β) travels at
+// the polar angle −β − ψ̄, hence β + ψ̄ relative to the ship.
 CourseForces forcesOn(const Hydrodynamics& hydro, const SeaState& sea, double heading,
                       double speed) {
   CourseForces forces{heading, speed, {}};

@@ -16,16 +16,16 @@ enum class WaveLoad { FroudeKrylov, Diffraction };
 /// What columns and settings call them.
 inline constexpr const char* kWaveLoadNames[2] = {"froude_krylov", "diffraction"};
 
-/// Exact wave loads on a ship of one course and speed: per component of the sea the force [N/m, N·m/m]
-/// per metre of amplitude, in H.
+/// Exact wave loads on a ship of one course and speed: per component of the sea the force [N/m,
+/// N·m/m] per metre of amplitude, in H.
 struct CourseForces {
   double heading = 0.0, speed = 0.0;             ///< ψ̄ [rad], U [m/s]
   std::vector<std::array<CVec6, 2>> components;  ///< [component][WaveLoad]
 };
 
-/// What all ships of one Hydrodynamics share in one sea. Seaway makes and keeps it; it can be exchanged
-/// for that of another sea. Immutable but for tables that are made when first asked for; any thread may
-/// call.
+/// What all ships of one Hydrodynamics share in one sea. Seaway makes and keeps it; it can be
+/// exchanged for that of another sea. Immutable but for tables that are made when first asked for;
+/// any thread may call.
 class SeaTables {
  public:
   /// @throws HydroError BadArgument: a null pointer.
@@ -36,8 +36,8 @@ class SeaTables {
   const std::shared_ptr<const Hydrodynamics>& hydrodynamics() const noexcept { return hydro_; }
   const SeaState& sea() const noexcept { return *sea_; }
 
-  /// Loads at any course and speed, for a ship whose mean course follows it. Made once: some tenths of
-  /// a second and 10 MB for 200 components.   @throws HydroError as ExcitationTable.
+  /// Loads at any course and speed, for a ship whose mean course follows it. Made once: some tenths
+  /// of a second and 10 MB for 200 components.  @throws HydroError as ExcitationTable.
   std::shared_ptr<const ExcitationTable> following() const;
   /// Exact loads on a fixed course; ships of the same course share them while one of them lives.
   /// @throws HydroError as WaveExcitation::at, naming the component.

@@ -32,7 +32,8 @@ Autopilots keepers() { return {keptShip(), addedMass(), kLength}; }
 
 const double kSurging = kMass + 2e5, kYawing = kMass * 900.0 + 2e9;
 
-/// A ship of mass m' under its keeper and a drag: the speed after each tick, semi-implicit as Bullet has it.
+/// A ship of mass m' under its keeper and a drag: the speed after each tick, semi-implicit as
+/// Bullet has it.
 template <class See>
 double sail(Autopilots& keepers, double speed, double drag, double step, double duration, See see) {
   TickInput motion;
@@ -71,8 +72,9 @@ TEST(AutopilotsIdentity, TheIntegralCarriesASteadyDrag) {
   EXPECT_NEAR(k.integral(), drag / (kSurging * 0.05 * 0.05), 1e-4);
 }
 
-// From rest to 10 m/s at the limit of thrust: had the integral wound up over the 100 s, it would shoot past by
-// metres per second; a double pole started at the limit overshoots by e^{−2}, 13.5 %, of 2/ν seconds of it.
+// From rest to 10 m/s at the limit of thrust: had the integral wound up over the 100 s, it would
+// shoot past by metres per second; a double pole started at the limit overshoots by e^{−2}, 13.5 %,
+// of 2/ν seconds of it.
 TEST(Autopilots, ThrustKeepsItsLimitAndTheIntegralDoesNotWindUp) {
   Autopilots k = keepers();
   constexpr double kLimit = 4e5;

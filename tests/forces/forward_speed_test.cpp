@@ -15,8 +15,8 @@ namespace {
 using test::boxShip, test::kBoxDensity, test::kBoxGravity;
 
 // b and b^x as polynomials that interpolation meets exactly. A real system answers at −ω with the
-// conjugate; b holds a factor i besides, so b(−ω) = −conj b(ω), b^x(−ω) = conj b^x(ω), and a signed ω′
-// can be put into the formula itself.
+// conjugate; b holds a factor i besides, so b(−ω) = −conj b(ω), b^x(−ω) = conj b^x(ω), and a signed
+// ω′ can be put into the formula itself.
 Complex omegaVector(double w) { return kBoxDensity * Complex(0.2 * w, 0.5 + 0.1 * w * w); }
 Complex speedVector(double w) { return kBoxDensity * Complex(0.3 - 0.1 * w * w, 0.2 * w); }
 

@@ -10,8 +10,8 @@
 namespace cutwater {
 namespace {
 
-/// A ship that makes speed 1 m/s from t = 0, seen by a mean at rest: largest distance of the mean's speed from the
-/// closed form over 12/ν.
+/// A ship that makes speed 1 m/s from t = 0, seen by a mean at rest: largest distance of the mean's
+/// speed from the closed form over 12/ν.
 double stepError(double followTime, double step) {
   MeanCourse mean(followTime);
   mean.reset(0.0, 0.0, 0.0, 0.0);
@@ -52,8 +52,8 @@ TEST(MeanCourseIdentity, SteadyMotionIsFollowedWithoutLag) {
   EXPECT_NEAR(mean.turnRate(), 0.02, 1e-9);
 }
 
-// |(3ν²iω + ν³)/(iω + ν)³| is 3(ν/ω)² for ω ≫ ν: at ω = 0.6 rad/s and ν = 1/15 s 3.6 %, of which higher
-// powers of ν/ω are √(1 + 1/729)/(1 + 1/81)^{3/2}, 2 %.
+// |(3ν²iω + ν³)/(iω + ν)³| is 3(ν/ω)² for ω ≫ ν: at ω = 0.6 rad/s and ν = 1/15 s 3.6 %, of which
+// higher powers of ν/ω are √(1 + 1/729)/(1 + 1/81)^{3/2}, 2 %.
 TEST(MeanCourseClosedForm, LetsThreeTimesTheSquareOfTheRatioOfFrequenciesThrough) {
   const double omega = 0.6, nu = 1.0 / 15.0, step = 0.01;
   MeanCourse mean(15.0);

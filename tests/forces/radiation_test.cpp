@@ -49,8 +49,9 @@ TEST(RadiationIdentity, IsTheMemorysForceLessTheDampingAndStiffnessOfSpeed) {
   }
 }
 
-// On a free course the terms of speed are those of a ship held at u = U + η̇₁, and a surge force beside them
-// that makes their work on its oscillation and its turning, and its own on its way u, zero. Round-off.
+// On a free course the terms of speed are those of a ship held at u = U + η̇₁, and a surge force
+// beside them that makes their work on its oscillation and its turning, and its own on its way u,
+// zero. Round-off.
 TEST(RadiationIdentity, WorkOfSpeedTermsOnAFreeShipComesOutOfItsWay) {
   const auto model = modelOf(ForwardSpeedForm::Tuck);
   Radiation force = radiation(model, true), held = radiation(model), resting = radiation(model);
@@ -69,7 +70,8 @@ TEST(RadiationIdentity, WorkOfSpeedTermsOnAFreeShipComesOutOfItsWay) {
   EXPECT_GT(std::abs(work), 1e-3 * ofSpeed.norm() * w.norm());  // it was not nothing
 }
 
-// The report's form damps leeway with the wrong sign going astern: a free ship has none of it there.
+// The report's form damps leeway with the wrong sign going astern: a free ship has none of it
+// there.
 TEST(RadiationIdentity, GoingAsternTheReportsFormHasNoTermsOfSpeedOnAFreeShip) {
   TickInput motion = anyMotion(), rest = motion;
   motion.speed = -6.0;

@@ -10,8 +10,9 @@ namespace cutwater::test {
 /// stand-in of the right size.
 Coefficients hemisphere();
 
-/// A slender ship of 4000 t and 110 m with added mass and damping in all modes, sway and yaw, heave and pitch
-/// coupled, A(ω) that belongs to B(ω); Tuck's form, so that it has terms of speed. Waves as hemisphere().
+/// A slender ship of 4000 t and 110 m with added mass and damping in all modes, sway and yaw, heave
+/// and pitch coupled, A(ω) that belongs to B(ω); Tuck's form, so that it has terms of speed. Waves
+/// as hemisphere().
 Coefficients slenderShip();
 
 inline constexpr double kSphereGravity = 9.81;

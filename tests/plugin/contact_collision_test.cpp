@@ -151,8 +151,9 @@ Errors worst(int iterations) {
   return most;
 }
 
-// The sweeps contract the error at least by l/(1 + l) each, l = 1.5, faster as the other boat is no wall;
-// what is left in the end is round-off: some 20 units in the last place, times arms of 3 m in momentum.
+// The sweeps contract the error at least by l/(1 + l) each, l = 1.5, faster as the other boat is no
+// wall; what is left in the end is round-off: some 20 units in the last place, times arms of 3 m in
+// momentum.
 TEST(CollisionClosedForm, TwoBodiesPartAsMassPlusAddedMassSay) {
   const double rounding = 20.0 * kEpsilon;
   for (const int iterations : {5, 10, 20, 50, 100}) {

@@ -74,7 +74,8 @@ struct Carrier {
   std::unique_ptr<btTypedConstraint> joint;
 };
 
-// 1e-3: C is linear, the heel's square is 2e-4; and the box sinks into the deck by the slop of 2 mm in 4.5 m.
+// 1e-3: C is linear, the heel's square is 2e-4; and the box sinks into the deck by the slop of 2 mm
+// in 4.5 m.
 TEST(CarriedLoadClosedForm, HeelAndSinkageAreThoseOfItsWeight) {
   const Vec3 head(0.0, 4.0, 6.0), place(0.0, 3.0, 4.5);
   double hanging = 0.0, standing = 0.0;

@@ -68,8 +68,8 @@ Drift drift(int iterations, int ticks, double gap, int perCall = 1) {
   return result;
 }
 
-// Sphere, water and quay share the momentum to round-off, once the sweeps have converged: l = 0.27, so that
-// ten of them leave (l/(1 + l))^10 = 2e-7. Float sums 1900 ticks of rounding.
+// Sphere, water and quay share the momentum to round-off, once the sweeps have converged: l = 0.27,
+// so that ten of them leave (l/(1 + l))^10 = 2e-7. Float sums 1900 ticks of rounding.
 TEST(QuayIdentity, MomentumIsThatOfSphereWaterAndQuay) {
   for (const int iterations : {5, 10, 20, 50, 100}) {
     const Drift d = drift(iterations, 1920, 1.0);

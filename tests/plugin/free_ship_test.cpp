@@ -54,7 +54,8 @@ TEST(FreeShipIdentity, RestrainedOnAMovingCourseItStaysThere) {
     const Vec6 eta = scene.ship->motion();
     away = std::max({away, std::abs(eta[Surge]), std::abs(eta[Sway]), std::abs(eta[Yaw])});
   }
-  // Rows of Bullet's solver, ten sweeps against A(∞): 3e5 N h²/m = 2e-5 m a tick, a tenth of it left.
+  // Rows of Bullet's solver, ten sweeps against A(∞): 3e5 N h²/m = 2e-5 m a tick, a tenth of it
+  // left.
   EXPECT_LT(away, kDouble ? 1e-4 : 2e-3);
 }
 
@@ -84,7 +85,8 @@ TEST(FreeShipIdentity, CoastingAndTurningItGainsNoEnergy) {
                "1", largest / start, "1.0001");
 }
 
-// Without anything that damps leeway or yaw the ship is broadside in no time, but comes to a bounded motion.
+// Without anything that damps leeway or yaw the ship is broadside in no time, but comes to a
+// bounded motion.
 TEST(FreeShip, WithoutHullLiftMunksMomentTurnsHer) {
   ShipSettings settings = underWay(8.0, Mean::Filtered);
   settings.start.velocity[Yaw] = 0.002;
@@ -149,7 +151,8 @@ TEST(FreeShip, SpeedsUpTurnsAndStopsForAnHourWithoutAJump) {
     }
   }
   EXPECT_EQ(scene.seaway.faults(), kStepOk);
-  // Second differences: waves of 0.3 of the weight met at 1.5 rad/s give 0.3 (1.5/64)² = 1.6e-4 of it.
+  // Second differences: waves of 0.3 of the weight met at 1.5 rad/s give 0.3 (1.5/64)² = 1.6e-4 of
+  // it.
   EXPECT_LT(jump, 3e-4);
   EXPECT_LT(std::abs(scene.ship->position().z() - 1.0), 2.0);
   recordResult("Plugin", withPrecision("largest second difference of a force, over the weight"),

@@ -112,8 +112,8 @@ TEST(PartsIdentity, WithoutRadiationTheSphereHeavesForEver) {
     scene.run(1);
     if (i > 64 * 50) highest = std::max(highest, scene.sphere->motion()[Heave]);
   }
-  // Semi-implicit ticks keep the amplitude of an undamped oscillation but for its phase in the tick:
-  // 1 - (ω h)²/8, ω = 1.4 rad/s.
+  // Semi-implicit ticks keep the amplitude of an undamped oscillation but for its phase in the
+  // tick: 1 - (ω h)²/8, ω = 1.4 rad/s.
   EXPECT_NEAR(highest, 1.0, 1e-3);
   EXPECT_EQ(scene.sphere->load("radiation"), Vec6(Vec6::Zero()));
   EXPECT_FALSE(scene.sphere->enabled("radiation"));
@@ -279,8 +279,8 @@ TEST(Parts, ShipsOfOneHydrodynamicsShareItAndTemporariesMayBePassed) {
   EXPECT_THROW(seaway.addShip(std::shared_ptr<const Hydrodynamics>{}), HydroError);
 }
 
-// d/dt (M + A∞)v is the sum of the loads without added mass. In a head sea the sphere does not turn, so
-// axes do not matter; velocities are stored to ε.
+// d/dt (M + A∞)v is the sum of the loads without added mass. In a head sea the sphere does not
+// turn, so axes do not matter; velocities are stored to ε.
 TEST(ShipIdentity, MomentumOfShipAndWaterChangesByTheLoadsAlone) {
   const SeaState head({{.omega = 0.9, .amplitude = 0.4, .heading = kPi}}, kSphereGravity, 2.0);
   Scene scene({.start = {.offset = one(Heave, 0.5)}}, head);

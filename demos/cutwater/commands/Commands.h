@@ -65,7 +65,8 @@ void naming(const std::string& file, const std::function<void()>& work);
 Vec3 vectorOption(const std::string& option, const std::string& text);
 /// β [rad] of a --heading in degrees. @throws UsageError beyond two turns.
 double headingRadians(double degrees);
-/// One warning that names `file` if waves up to `omega` [rad/s] are shorter than the panels resolve.
+/// One warning that names `file` if waves up to `omega` [rad/s] are shorter than the panels
+/// resolve.
 void warnIfUnresolved(const std::string& file, const Coefficients& coefficients, double omega);
 /// One line on stderr, nothing if empty.
 void warn(const std::string& line);

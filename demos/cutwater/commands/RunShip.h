@@ -37,7 +37,8 @@ class RunShip {
   int substeps_;
 };
 
-/// One line for the faults of a run, naming the part of the load that broke; empty if there were none.
+/// One line for the faults of a run, naming the part of the load that broke; empty if there were
+/// none.
 std::string describeFaults(RunShip& run);
 
 }  // namespace cutwater::command

@@ -48,7 +48,8 @@ CVec6 motionInBullet(const RunFile& run, const std::shared_ptr<const Hydrodynami
   return amplitude;
 }
 
-/// Below this the theory has no answer in surge, sway and yaw, and a run would have to last for ever.
+/// Below this the theory has no answer in surge, sway and yaw, and a run would have to last for
+/// ever.
 constexpr double kLeastEncounter = 0.1;
 
 void check(const RunFile& run) {

@@ -6,9 +6,10 @@ namespace cutwater {
 
 struct ShipParticulars;
 
-/// Two simple autopilots, so that a ship can be steered without a propulsion model: one holds a speed
-/// (SpeedKeeper), one a heading (CourseKeeper). Proportional-integral and proportional-differential
-/// rules, with the limits that a ship has. A simulator with models of its own leaves both off.
+/// Two simple autopilots, so that a ship can be steered without a propulsion model: one holds a
+/// speed (SpeedKeeper), one a heading (CourseKeeper). Proportional-integral and
+/// proportional-differential rules, with the limits that a ship has. A simulator with models of its
+/// own leaves both off.
 class Autopilots final : public ForceGenerator {
  public:
   /// @param addedMassInf A(∞) [kg, kg·m, kg·m²].  @param length of the ship [m] > 0.

@@ -4,8 +4,8 @@
 
 namespace cutwater {
 
-/// Calm water: what carries the ship's weight at rest, and the linear hydrostatic stiffness about that
-/// equilibrium.
+/// Calm water: what carries the ship's weight at rest, and the linear hydrostatic stiffness about
+/// that equilibrium.
 ///     F = −W − C η,   W the engine's own gravity on the body                 [M03] (5), (30)
 /// C holds buoyancy and weight about G. Valid for small η.
 class Restoring final : public ForceGenerator {

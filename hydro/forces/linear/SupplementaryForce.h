@@ -6,10 +6,10 @@ namespace cutwater {
 
 /// What potential flow lacks, given as numbers: viscous roll damping, the stiffness of a helmsman.
 ///     F_j = −b_j η̇_j − s_j η_j,   roll also −q |η̇₄| η̇₄                        [M03] section 9
-/// Velocities are those at t_n, so that the term is second order in the tick. Damping of yaw sees the
-/// whole rate of turn; damping of surge sees only what differs from the mean speed.
-/// On a course that follows the ship the stiffness of surge, sway and yaw is left out: a spring to such
-/// a course would drive the ship as well as hold it. A CourseKeeper holds a heading there.
+/// Velocities are those at t_n, so that the term is second order in the tick. Damping of yaw sees
+/// the whole rate of turn; damping of surge sees only what differs from the mean speed. On a course
+/// that follows the ship the stiffness of surge, sway and yaw is left out: a spring to such a
+/// course would drive the ship as well as hold it. A CourseKeeper holds a heading there.
 class SupplementaryForce final : public ForceGenerator {
  public:
   /// @param follows  the mean course follows the ship.

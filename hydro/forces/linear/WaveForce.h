@@ -11,13 +11,13 @@ namespace cutwater {
 /// Linear load of a sea on a ship, one phasor per component:
 ///     F(t) = r(t) Re Σ_i a_i F̂_i e^{i(ω_i t − k_i(x̄ cos β_i − ȳ sin β_i) + ε_i)}
 /// x̄, ȳ: mean place of G in E, so that the load stays linear in the waves; F̂_i in H at the mean
-/// heading and speed; r(t) the sea's ramp. On a ship under way x̄, ȳ move with it, which makes the signed
-/// encounter frequency of each phase by itself.
+/// heading and speed; r(t) the sea's ramp. On a ship under way x̄, ȳ move with it, which makes the
+/// signed encounter frequency of each phase by itself.
 ///
-/// On a fixed course F̂_i are exact. On one that follows the ship they come from a table and are renewed
-/// as heading and speed drift, two components a tick: with 200 of them and 60 ticks a second each after
-/// 1.7 s, by 1.7° in a turn of 1°/s.
-/// Cost: some 2 ns a component on a fixed course, 1 µs more while the course turns.
+/// On a fixed course F̂_i are exact. On one that follows the ship they come from a table and are
+/// renewed as heading and speed drift, two components a tick: with 200 of them and 60 ticks a
+/// second each after 1.7 s, by 1.7° in a turn of 1°/s. Cost: some 2 ns a component on a fixed
+/// course, 1 µs more while the course turns.
 class WaveForce final : public ForceGenerator {
  public:
   /// Course and speed at the start.
