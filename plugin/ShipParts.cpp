@@ -19,9 +19,7 @@ CUTWATER_PLUGIN_BEGIN
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) {
-  throw HydroError(Fault::BadArgument, what);
-}
+[[noreturn]] void refuse(const std::string& what) { throw HydroError(Fault::BadArgument, what); }
 
 bool isName(std::string_view name) {
   const auto good = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
