@@ -1,0 +1,82 @@
+#include "hydro/forces/Hydrodynamics.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+#include <vector>
+
+#include "hydro/Errors.h"
+#include "hydro/forces/SeaTables.h"
+#include "hydro/memory/RadiationModel.h"
+#include "tests/excitation/TableBox.h"
+#include "tests/memory/CausalShip.h"
+
+namespace cutwater {
+namespace {
+
+TEST(Hydrodynamics, OwnsItsCoefficientsSoThatTemporariesMayBePassed) {
+  const Hydrodynamics box(test::boxShip());
+  EXPECT_EQ(box.coefficients().omega, test::boxShip().omega);
+  EXPECT_EQ(box.ship().mass, test::boxShip().ship.mass);
+}
+
+TEST(Hydrodynamics, LengthAndKeelAreThoseOfTheHullOrOfItsVolume) {
+  Coefficients box = test::boxShip();
+  const Bounds wet = bounds(box.ship.wetSurface);
+  EXPECT_EQ(Hydrodynamics(box).length(), wet.high.x() - wet.low.x());
+  EXPECT_EQ(Hydrodynamics(box).keel(), wet.low.z());
+  box.ship.wetSurface = {};
+  box.ship.volume = 1000.0;
+  EXPECT_DOUBLE_EQ(Hydrodynamics(box).length(), 50.0);  // five times the cube root
+  EXPECT_EQ(Hydrodynamics(box).keel(), 0.0);
+}
+
+TEST(Hydrodynamics, ThreadsThatAskTogetherGetOneRadiationModel) {
+  const Hydrodynamics ship(test::CausalShip().coefficients(0.2, 20.0));
+  std::vector<std::shared_ptr<const RadiationModel>> got(4);
+  std::vector<std::thread> threads;
+  for (auto& model : got)
+    threads.emplace_back([&] { model = ship.radiation(MemoryModel::Exponential); });
+  for (std::thread& thread : threads) thread.join();
+  for (const auto& model : got) EXPECT_EQ(model, got.front());
+  EXPECT_NE(ship.radiation(MemoryModel::Convolution), got.front());
+}
+
+TEST(SeaTables, NullPointersAreRefused) {
+  const auto ship = std::make_shared<const Hydrodynamics>(test::boxShip());
+  const auto sea = std::make_shared<const SeaState>();
+  EXPECT_THROW(Hydrodynamics(std::shared_ptr<const Coefficients>{}), HydroError);
+  EXPECT_THROW(SeaTables(nullptr, sea), HydroError);
+  EXPECT_THROW(SeaTables(ship, nullptr), HydroError);
+  EXPECT_NO_THROW(SeaTables(ship, sea));
+}
+
+TEST(SeaTables, ExactForcesAreKeptWhileAShipHasThemAndNoLonger) {
+  const SeaTables tables(std::make_shared<const Hydrodynamics>(test::tableBox()),
+                         std::make_shared<const SeaState>(test::tableSea(3)));
+  std::weak_ptr<const CourseForces> first;
+  {
+    const auto forces = tables.exact(0.1, 2.0);
+    first = forces;
+    EXPECT_EQ(tables.exact(0.1, 2.0), forces);
+    EXPECT_NE(tables.exact(0.2, 2.0), forces);
+    EXPECT_EQ(forces->components.size(), 3u);
+  }
+  EXPECT_TRUE(first.expired());
+}
+
+TEST(SeaTables, AWaveOutsideTheDatabaseIsRefusedByItsNumber) {
+  const SeaTables tables(std::make_shared<const Hydrodynamics>(test::boxShip()),
+                         std::make_shared<const SeaState>(
+                             std::vector<WaveComponent>{{1.0, 1.0, 0.0, 0.0}, {9.0, 1.0, 0.0, 0.0}},
+                             test::kBoxGravity));
+  try {
+    tables.exact(0.0, 0.0);
+    FAIL();
+  } catch (const HydroError& error) {
+    EXPECT_NE(std::string(error.what()).find("wave component 1"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace cutwater
