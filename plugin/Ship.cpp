@@ -52,8 +52,8 @@ Ship::Ship(btDiscreteDynamicsWorld& world, const WorldFrame& frame,
   body_->setDamping(0, 0);
   body_->setSleepingThresholds(0, 0);
   body_->forceActivationState(DISABLE_DEACTIVATION);
-  addedMass_ =
-      std::make_unique<AddedMassConstraint>(*body_, frame_.mass(coefficients().addedMassInf));
+  addedMass_ = std::make_unique<AddedMassConstraint>(
+      *body_, frame_.mass(coefficients().addedMass.atInfinity));
   switchOff(settings.model.without);
   const auto& held = settings.model.restrained;
   if (std::find(held.begin(), held.end(), true) != held.end())

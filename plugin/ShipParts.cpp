@@ -48,7 +48,7 @@ void Ship::makeParts(const ShipSettings& settings) {
   database(std::make_unique<Radiation>(hydrodynamics().radiation(settings.model.memory), follows));
   addPart({.name = "added_mass"});
   added(std::make_unique<SupplementaryForce>(c.ship.supplementary, follows));
-  auto autopilots = std::make_unique<Autopilots>(c.ship, c.addedMassInf, length());
+  auto autopilots = std::make_unique<Autopilots>(c.ship, c.addedMass.atInfinity, length());
   autopilots_ = autopilots.get();
   added(std::move(autopilots));
   if (follows && settings.model.hullLift) added(std::make_unique<HullLift>(c, length()));

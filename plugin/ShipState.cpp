@@ -70,7 +70,7 @@ Vec6 Ship::momentum() const noexcept {
   Vec6 water;
   water << upright.transpose() * (body * own.head<3>()),
       upright.transpose() * (body * own.tail<3>());
-  water = (coefficients().addedMassInf * water).eval();
+  water = (coefficients().addedMass.atInfinity * water).eval();
   Vec6 sum;
   sum << body * inertia.head<3>() + upright * water.head<3>(),
       body * inertia.tail<3>() + upright * water.tail<3>();

@@ -47,8 +47,8 @@ std::vector<Means> fourMeans(const Job& job) {
   const Coefficients adjoint = buildCoefficients(ship, settings);
   const double adjointTime = sweep.seconds();
   Coefficients bare = adjoint;
-  bare.adjoint.clear();
-  bare.adjointX.clear();
+  bare.adjoint = {};
+  bare.adjointX = {};
 
   settings.omega = grid();
   const InfluenceMatrices matrices(makePanels(ship.wetSurface, ship.symmetric));

@@ -26,7 +26,7 @@ void append(std::vector<double>& row, const std::vector<double>& values) {
   row.insert(row.end(), values.begin(), values.end());
 }
 
-double largest(const std::vector<Mat6>& matrices, int mode) {
+double largest(const OverFrequency<Mat6>& matrices, int mode) {
   double most = 0.0;
   for (const Mat6& m : matrices) most = std::max(most, m(mode, mode));
   return most;

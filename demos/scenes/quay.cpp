@@ -68,7 +68,7 @@ bool run(const Coefficients& database, DemoTable& table) {
   }
   // She also rolls a little, so that a blow at G moves not quite m + A22.
   const Eigen::Matrix<double, 5, 5> inverse =
-      (frigate.ship.massMatrix() + frigate.addedMassInf).topLeftCorner<5, 5>().inverse();
+      (frigate.ship.massMatrix() + frigate.addedMass.atInfinity).topLeftCorner<5, 5>().inverse();
   bool good = calm.faults() == kStepOk;
   good &= agrees("blow / m v", blow / mass / before, 1.0 / inverse(Sway, Sway) / mass, 0.02);
   good &= isBelow("momentum lost between ship, water and fenders", off, 1e-4);

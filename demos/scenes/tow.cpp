@@ -99,12 +99,12 @@ bool run(const Coefficients& database, DemoTable& table) {
     std::printf("%10d %13.2e\n", iterations, r.lost);
   }
   // Yaw is held, roll is not.
-  const Mat6 inertia = frigate.ship.massMatrix() + frigate.addedMassInf;
+  const Mat6 inertia = frigate.ship.massMatrix() + frigate.addedMass.atInfinity;
   const double mass = frigate.ship.mass,
                atFirst = 1.0 / inertia.topLeftCorner<5, 5>().inverse()(Sway, Sway);
   bool good = agrees("pull / m dv/dt in the first 1/4 s", r.atFirst / mass, atFirst / mass, 0.02);
   good &= agrees("pull / m dv/dt after 20 s", r.atLast / mass,
-                 1.0 + frigate.addedMassZero(Sway, Sway) / mass, 0.02);
+                 1.0 + frigate.addedMass.atZero(Sway, Sway) / mass, 0.02);
   good &= isBelow("impulse lost at 400 iterations", r.lost, 1e-3);
   return good && r.faults == kStepOk;
 }

@@ -80,16 +80,16 @@ class Sweep {
         derivative_(out.ship.wetSurface, matrices_.mesh()),
         faces_(makePanels(triangulated(out.ship.wetSurface), out.ship.symmetric)) {
     const std::size_t count = out_.omega.size();
-    out_.addedMass.resize(count);
-    out_.damping.resize(count);
+    out_.addedMass.values.resize(count);
+    out_.damping.values.resize(count);
     if (settings.xDerivatives) {
-      out_.addedMassX.resize(count);
-      out_.dampingX.resize(count);
+      out_.addedMassX.values.resize(count);
+      out_.dampingX.values.resize(count);
     }
     if (settings.influence == Influence::Adjoint) {
       const ModeVectors zero = ModeVectors::Zero(6, normals_.n.rows());
-      out_.adjoint.assign(count, zero);
-      if (settings.xDerivatives) out_.adjointX.assign(count, zero);
+      out_.adjoint.values.assign(count, zero);
+      if (settings.xDerivatives) out_.adjointX.values.assign(count, zero);
     }
     out_.froudeKrylov.assign(out_.headings.size(), std::vector<CVec6>(count));
     out_.diffraction = out_.froudeKrylov;
@@ -107,14 +107,15 @@ class Sweep {
       const SymmetricSystem<double> system(std::move(pairs), matrices_.parities());
       const AdjointVectors b = adjointsOf(system);
       const bool zero = limit == FrequencyLimit::Zero;
-      (zero ? out_.addedMassZero : out_.addedMassInf) =
+      (zero ? out_.addedMass.atZero : out_.addedMass.atInfinity) =
           (Complex(0.0, 1.0) * forcesOnUnitMotions(b.omega, normals_)).real();
       if (settings_.xDerivatives)
-        (zero ? out_.addedMassXZero : out_.addedMassXInf) =
+        (zero ? out_.addedMassX.atZero : out_.addedMassX.atInfinity) =
             forcesOnUnitMotions(b.speed, normals_).real();
       if (settings_.influence != Influence::Adjoint) continue;
-      (zero ? out_.adjointZero : out_.adjointInf) = b.omega;
-      if (settings_.xDerivatives) (zero ? out_.adjointXZero : out_.adjointXInf) = b.speed;
+      (zero ? out_.adjoint.atZero : out_.adjoint.atInfinity) = b.omega;
+      if (settings_.xDerivatives)
+        (zero ? out_.adjointX.atZero : out_.adjointX.atInfinity) = b.speed;
     }
   }
 

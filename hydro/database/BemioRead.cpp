@@ -123,11 +123,11 @@ class BemioReader {
     const double rho = c_.ship.density;
     const std::size_t n = c_.omega.size();
     const auto byDensity = [rho](std::size_t) { return rho; };
-    c_.addedMass = series(group + "added_mass/all", n, byDensity);
-    c_.addedMassInf = series(group + "added_mass/inf_freq", 1, byDensity).front();
-    c_.damping = series(group + "radiation_damping/all", n,
-                        [&](std::size_t i) { return rho * c_.omega[i]; });
-    c_.addedMassZero = c_.addedMass.front();
+    c_.addedMass.values = series(group + "added_mass/all", n, byDensity);
+    c_.addedMass.atInfinity = series(group + "added_mass/inf_freq", 1, byDensity).front();
+    c_.damping.values = series(group + "radiation_damping/all", n,
+                               [&](std::size_t i) { return rho * c_.omega[i]; });
+    c_.addedMass.atZero = c_.addedMass.values.front();
     missing_.push_back(fmt::format("A(0) taken as A({:g} rad/s)", c_.omega.front()));
   }
 

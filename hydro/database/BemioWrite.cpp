@@ -66,7 +66,8 @@ class BemioWriter {
     const double rho = c_.ship.density;
     matrix(group + "linear_restoring_stiffness", c_.ship.restoring / (rho * c_.ship.gravity),
            "Hydrostatic stiffness / (rho g)");
-    matrix(group + "added_mass/inf_freq", c_.addedMassInf / rho, "Added mass at infinity / rho");
+    matrix(group + "added_mass/inf_freq", c_.addedMass.atInfinity / rho,
+           "Added mass at infinity / rho");
     std::vector<Mat6> a, b;
     for (std::size_t i = 0; i < c_.omega.size(); ++i) {
       a.push_back(c_.addedMass[i] / rho);

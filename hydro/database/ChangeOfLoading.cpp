@@ -94,13 +94,7 @@ class Shifted {
  public:
   Shifted(const Mat6& P, const Vec3& d, double gravity) : P_(P), d_(d), gravity_(gravity) {}
   void matrix(Mat6& Z) const { Z = (P_ * Z * P_.transpose()).eval(); }
-  void matrices(std::vector<Mat6>& list) const {
-    for (Mat6& Z : list) matrix(Z);
-  }
-  void vectors(Coefficients::AdjointVectors& b) const { b = (P_.cast<Complex>() * b).eval(); }
-  void vectors(std::vector<Coefficients::AdjointVectors>& list) const {
-    for (auto& b : list) vectors(b);
-  }
+  void rows(Coefficients::AdjointVectors& b) const { b = (P_.cast<Complex>() * b).eval(); }
   void force(CVec6& F, double heading, double waveOmega) const {
     const double k = waveOmega * waveOmega / gravity_;
     const double along = d_.x() * std::cos(heading) - d_.y() * std::sin(heading);
@@ -143,16 +137,12 @@ Coefficients withLoading(const Coefficients& coefficients, double mass, const Ve
   if (d.isZero(0.0)) return c;
   const Shifted shift(shiftMatrix(d), d, before.gravity);
   c.ship.restoring -= buoyancyStiffness(before, before.cog);
-  for (Mat6* m : {&c.ship.restoring, &c.addedMassZero, &c.addedMassInf, &c.addedMassInfDirect,
-                  &c.addedMassXZero, &c.addedMassXInf}) {
-    shift.matrix(*m);
-  }
+  for (Mat6* m : {&c.ship.restoring, &c.addedMassInfDirect}) shift.matrix(*m);
   c.ship.restoring += buoyancyStiffness(before, cog);
-  for (auto* list : {&c.addedMass, &c.damping, &c.addedMassX, &c.dampingX}) shift.matrices(*list);
-  for (auto* list : {&c.adjoint, &c.adjointX}) shift.vectors(*list);
-  for (auto* b : {&c.adjointZero, &c.adjointXZero, &c.adjointInf, &c.adjointXInf}) {
-    shift.vectors(*b);
-  }
+  for (auto* Z : {&c.addedMass, &c.damping, &c.addedMassX, &c.dampingX})
+    Z->forEach([&](Mat6& m) { shift.matrix(m); });
+  for (auto* vectors : {&c.adjoint, &c.adjointX})
+    vectors->forEach([&](Coefficients::AdjointVectors& b) { shift.rows(b); });
   shiftTables(shift, c);
   return c;
 }

@@ -45,10 +45,10 @@ class Check {
     };
     for (const auto& b : c_.adjoint) expect("adjoint", columns(b), panels);
     for (const auto& b : c_.adjointX) expect("adjoint_x", columns(b), panels);
-    optional("adjoint_zero", columns(c_.adjointZero), panels);
-    optional("adjoint_x_zero", columns(c_.adjointXZero), panels);
-    optional("adjoint_inf", columns(c_.adjointInf), panels);
-    optional("adjoint_x_inf", columns(c_.adjointXInf), panels);
+    optional("adjoint_zero", columns(c_.adjoint.atZero), panels);
+    optional("adjoint_x_zero", columns(c_.adjointX.atZero), panels);
+    optional("adjoint_inf", columns(c_.adjoint.atInfinity), panels);
+    optional("adjoint_x_inf", columns(c_.adjointX.atInfinity), panels);
   }
 
   void table() const {

@@ -4,36 +4,9 @@
 
 #include "hydro/Conventions.h"
 #include "hydro/base/EnumNames.h"
-#include "hydro/geometry/SurfaceMesh.h"
+#include "hydro/ship/ShipParticulars.h"
 
 namespace cutwater {
-
-/// Terms the potential theory lacks, as inputs: forces −damping·η̇ − quadratic·|η̇₄|η̇₄ − stiffness·η.
-struct Supplementary {
-  Vec6 damping = Vec6::Zero();        ///< diagonal, N/(m/s) or N·m/(rad/s)
-  Vec6 stiffness = Vec6::Zero();      ///< diagonal, N/m or N·m/rad
-  double rollDampingQuadratic = 0.0;  ///< N·m/(rad/s)²
-};
-
-/// The ship as it floats at rest. Lengths in hull axes: x forward, y port, z up from calm water.
-struct ShipParticulars {
-  std::string name;
-  SurfaceMesh hull;        ///< closed hull [m], normals out; empty in a plain BEMIO file
-  SurfaceMesh wetSurface;  ///< the solver's panels before flattening; port half if symmetric
-  bool symmetric = false;
-  double mass = 0.0;            ///< [kg]
-  Vec3 cog = Vec3::Zero();      ///< centre of gravity G [m]
-  Vec3 gyradii = Vec3::Ones();  ///< roll, pitch, yaw, about G [m]
-  double volume = 0.0;          ///< displaced [m³]
-  Vec3 centreOfBuoyancy = Vec3::Zero();
-  Mat6 restoring = Mat6::Zero();  ///< C about G, gravity and density included [N/m, N, N·m]
-  double density = kSeaWaterDensity;
-  double gravity = kStandardGravity;
-  Supplementary supplementary;
-
-  /// Rigid-body mass matrix about G: diag(m, m, m, m r_xx², m r_yy², m r_zz²).
-  Mat6 massMatrix() const;
-};
 
 /// Where the numbers come from.
 struct Provenance {
@@ -63,6 +36,39 @@ struct DiffractionTable {
   }
 };
 
+/// A quantity over frequency: its values at the grid's frequencies (`Coefficients::omega`) and its limits.
+/// Matrices of fixed size are zero until set; adjoint vectors without columns are not computed.
+template <class T>
+struct OverFrequency {
+  std::vector<T> values;     ///< [frequency]; empty if not computed
+  T atZero = nothing();      ///< at ω = 0
+  T atInfinity = nothing();  ///< at ω = ∞
+
+  bool empty() const noexcept { return values.empty(); }
+  std::size_t size() const noexcept { return values.size(); }
+  T& operator[](std::size_t frequency) { return values[frequency]; }
+  const T& operator[](std::size_t frequency) const { return values[frequency]; }
+  auto begin() noexcept { return values.begin(); }
+  auto end() noexcept { return values.end(); }
+  auto begin() const noexcept { return values.begin(); }
+  auto end() const noexcept { return values.end(); }
+  /// change(value) for each value, then for both limits.
+  template <class Change>
+  void forEach(const Change& change) {
+    for (T& value : values) change(value);
+    change(atZero);
+    change(atInfinity);
+  }
+
+ private:
+  static T nothing() {
+    if constexpr (T::SizeAtCompileTime == Eigen::Dynamic)
+      return T();
+    else
+      return T::Zero();
+  }
+};
+
 /// All that solver and time domain share: hydrodynamic coefficients of one ship in deep water, at
 /// rest, with all that any forward speed needs. Forces and moments about G, modes and signs as in
 /// Conventions.h. Immutable once made.
@@ -72,10 +78,8 @@ struct Coefficients {
 
   /// Encounter frequencies [rad/s]: finite, > 0, strictly increasing.
   std::vector<double> omega;
-  std::vector<Mat6> addedMass;        ///< A(ω_i)
-  std::vector<Mat6> damping;          ///< B(ω_i)
-  Mat6 addedMassZero = Mat6::Zero();  ///< A(0)
-  Mat6 addedMassInf = Mat6::Zero();   ///< A(∞)
+  OverFrequency<Mat6> addedMass;  ///< A
+  OverFrequency<Mat6> damping;    ///< B; 0 at both limits
 
   /// Highest frequency whose waves the panels resolve [rad/s]; the solver's A, B,
   /// ∂A, ∂B and adjoint vectors above it ring; applyMask and withConsistentLimit continue them from
@@ -86,15 +90,14 @@ struct Coefficients {
   /// asked for; increasing, within the range of `omega`. Empty: `omega` itself.
   std::vector<double> waveOmega;
 
-  /// A(∞) of the ω = ∞ boundary value problem itself, where `addedMassInf` holds the better value
+  /// A(∞) of the ω = ∞ boundary value problem itself, where `addedMass.atInfinity` holds the better value
   /// that follows from A(ω) and B(ω) (finish/ConsistentLimit.h); zero if it does not.
   Mat6 addedMassInfDirect = Mat6::Zero();
   /// It does: withConsistentLimit has been here, and A, B, ∂A, ∂B go on above `resolvedOmega`.
   bool hasConsistentLimit() const { return !addedMassInfDirect.isZero(0.0); }
 
   /// ∂A, ∂B: the x-derivative integrals of theory section 1; empty if not computed.
-  std::vector<Mat6> addedMassX, dampingX;
-  Mat6 addedMassXZero = Mat6::Zero(), addedMassXInf = Mat6::Zero();
+  OverFrequency<Mat6> addedMassX, dampingX;
 
   /// Wave excitation per metre of wave amplitude, crest over the mean position of G at t = 0.
   std::vector<double> headings;                  ///< β [rad]
@@ -105,11 +108,9 @@ struct Coefficients {
   /// v = −∂φ_I/∂n, its mean over each panel; of a symmetric hull the port panels, to be used with twice
   /// the even (j = 1, 3, 5) or odd part of v. F_D = ω_e F^ω + U F^U.            [M03] (88)-(91)
   ///     b_j = iρ Rᵀ L⁻ᵀ w_j,   b^x_j = −ρ(n_x∘w_j + Rᵀ L⁻ᵀ Tᵀ n_j)
-  /// [frequency]; empty if not computed.
+  /// At ω_e = 0 the free surface is rigid, at ω_e = ∞ φ = 0 on it. Empty if not computed.
   using AdjointVectors = Eigen::Matrix<Complex, 6, Eigen::Dynamic>;
-  std::vector<AdjointVectors> adjoint, adjointX;
-  AdjointVectors adjointZero, adjointXZero;  ///< at ω_e = 0: rigid free surface
-  AdjointVectors adjointInf, adjointXInf;    ///< at ω_e = ∞: φ = 0 on it
+  OverFrequency<AdjointVectors> adjoint, adjointX;
 
   /// How the terms of forward speed are put together unless another form is asked for.
   ForwardSpeedForm forwardSpeed = ForwardSpeedForm::Report;

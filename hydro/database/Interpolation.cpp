@@ -29,45 +29,41 @@ void requireData(const char* function, const Coefficients& c, std::size_t count,
                    fmt::format("{}: the database holds no {}", function, what));
 }
 
-std::vector<double> nodesFromZero(const Coefficients& c, std::size_t count) {
-  std::vector<double> nodes(1, 0.0);
+/// What a quantity does at both ends of the data.
+enum class Ends {
+  Limits,  ///< goes to its values at ω = 0 and ω = ∞, the latter as (Ω/ω)²
+  Vanish   ///< vanishes at ω = 0 faster than ω, and beyond Ω as (Ω/ω)³
+};
+
+/// Beyond the last frequency Ω in use; u = Ω/ω < 1.
+template <class T>
+T beyond(const T& last, const OverFrequency<T>& quantity, double u, Ends ends) {
+  if (ends == Ends::Vanish) return u * u * u * last;
+  return quantity.atInfinity + u * u * (last - quantity.atInfinity);
+}
+
+/// The one interpolation: local cubic of the quantity (Ends::Vanish: of it over ω) through its limit at ω = 0,
+/// if it is known, and its values at the first `count` frequencies.
+template <class T>
+T interpolated(const Coefficients& c, const OverFrequency<T>& quantity, Ends ends,
+               std::size_t count, double omega) {
+  const double last = c.omega[count - 1];
+  if (omega > last) return beyond(quantity[count - 1], quantity, last / omega, ends);
+  const std::size_t limits = quantity.atZero.size() > 0 ? 1 : 0;
+  std::vector<double> nodes(limits, 0.0);
   nodes.insert(nodes.end(), c.omega.begin(), c.omega.begin() + static_cast<std::ptrdiff_t>(count));
-  return nodes;
-}
-
-/// Local cubic through `zero` at ω = 0 and the first `count` data.
-template <class Matrix>
-Matrix fromZero(const Coefficients& c, const Matrix& zero, const std::vector<Matrix>& data,
-                std::size_t count, double omega) {
-  const LocalCubic local = localCubic(nodesFromZero(c, count), omega);
-  Matrix sum = Matrix::Zero(zero.rows(), zero.cols());
+  const LocalCubic local = localCubic(nodes, std::max(omega, nodes.front()));
+  const T& any = quantity.values.front();
+  T sum = T::Zero(any.rows(), any.cols());
   for (std::size_t i = 0; i < local.count; ++i) {
     const std::size_t node = local.first + i;
-    sum += local.weight[i] * (node == 0 ? zero : data[node - 1]);
-  }
-  return sum;
-}
-
-/// The same with the approach to `inf` beyond the last of `count` frequencies.
-template <class Matrix>
-Matrix toInfinity(const Coefficients& c, const Matrix& zero, const std::vector<Matrix>& data,
-                  const Matrix& inf, std::size_t count, double omega) {
-  const double last = c.omega[count - 1], u = last / omega;
-  if (omega <= last) return fromZero(c, zero, data, count, omega);
-  return inf + u * u * (data[count - 1] - inf);
-}
-
-/// ω times a local cubic of data/ω through 0 at ω = 0; (Ω/ω)³ beyond the last of `count` frequencies.
-Mat6 vanishing(const Coefficients& c, const std::vector<Mat6>& data, std::size_t count,
-               double omega) {
-  const double last = c.omega[count - 1], u = last / omega;
-  if (omega > last) return u * u * u * data[count - 1];
-  const std::vector<double> nodes = nodesFromZero(c, count);
-  const LocalCubic local = localCubic(nodes, omega);
-  Mat6 sum = Mat6::Zero();
-  for (std::size_t i = 0; i < local.count; ++i) {
-    const std::size_t node = local.first + i;
-    if (node > 0) sum += local.weight[i] * (omega / nodes[node]) * data[node - 1];
+    const double weight = local.weight[i];
+    if (node < limits) {
+      if (ends == Ends::Limits) sum += weight * quantity.atZero;
+    } else {
+      const double share = ends == Ends::Vanish ? weight * (omega / nodes[node]) : weight;
+      sum += share * quantity[node - limits];
+    }
   }
   return sum;
 }
@@ -77,27 +73,18 @@ std::size_t goodCountX(const Coefficients& c) {
   return c.hasConsistentLimit() ? c.omega.size() : resolvedCount(c);
 }
 
-Adjoint vectorsAt(const char* function, const Coefficients& c, const std::vector<Adjoint>& data,
-                  const Adjoint& zero, const Adjoint& inf, double omega) {
-  const std::size_t count = inf.cols() > 0 ? resolvedCount(c) : c.omega.size();
-  const double last = c.omega[count - 1];
-  if (inf.cols() == 0 && omega > last * (1.0 + 1e-9)) {
+Adjoint vectorsAt(const char* function, const Coefficients& c,
+                  const OverFrequency<Adjoint>& vectors, double omega) {
+  if (vectors.atInfinity.cols() > 0)
+    return interpolated(c, vectors, Ends::Limits, resolvedCount(c), omega);
+  const double last = c.omega.back();
+  if (omega > last * (1.0 + 1e-9)) {
     throw HydroError(Fault::ValueOutOfRange,
                      fmt::format("{}: omega = {} rad/s, the database ends at {} and holds no "
                                  "vectors of omega = inf",
                                  function, omega, last));
   }
-  const double within = inf.cols() == 0 ? std::min(omega, last) : omega;
-  if (zero.cols() > 0) {
-    if (inf.cols() == 0) return fromZero(c, zero, data, count, within);
-    return toInfinity(c, zero, data, inf, count, within);
-  }
-  if (within > last) return inf + last / within * (last / within) * (data[count - 1] - inf);
-  const std::span<const double> nodes(c.omega.data(), count);
-  const LocalCubic local = localCubic(nodes, std::max(within, nodes.front()));
-  Adjoint sum = local.weight[0] * data[local.first];
-  for (std::size_t i = 1; i < local.count; ++i) sum += local.weight[i] * data[local.first + i];
-  return sum;
+  return interpolated(c, vectors, Ends::Limits, c.omega.size(), std::min(omega, last));
 }
 
 }  // namespace
@@ -131,36 +118,36 @@ LocalCubic localCubic(std::span<const double> nodes, double x) {
 
 Mat6 addedMassAt(const Coefficients& c, double omega) {
   checkOmega("addedMassAt", c, omega);
-  return toInfinity(c, c.addedMassZero, c.addedMass, c.addedMassInf, c.omega.size(), omega);
+  return interpolated(c, c.addedMass, Ends::Limits, c.omega.size(), omega);
 }
 
 Mat6 dampingAt(const Coefficients& c, double omega) {
   checkOmega("dampingAt", c, omega);
-  return vanishing(c, c.damping, c.omega.size(), omega);
+  return interpolated(c, c.damping, Ends::Vanish, c.omega.size(), omega);
 }
 
 Mat6 addedMassXAt(const Coefficients& c, double omega) {
   checkOmega("addedMassXAt", c, omega);
   requireData("addedMassXAt", c, c.addedMassX.size(), "x-derivatives (added_mass_x)");
-  return toInfinity(c, c.addedMassXZero, c.addedMassX, c.addedMassXInf, goodCountX(c), omega);
+  return interpolated(c, c.addedMassX, Ends::Limits, goodCountX(c), omega);
 }
 
 Mat6 dampingXAt(const Coefficients& c, double omega) {
   checkOmega("dampingXAt", c, omega);
   requireData("dampingXAt", c, c.dampingX.size(), "x-derivatives (damping_x)");
-  return vanishing(c, c.dampingX, goodCountX(c), omega);
+  return interpolated(c, c.dampingX, Ends::Vanish, goodCountX(c), omega);
 }
 
 Coefficients::AdjointVectors adjointAt(const Coefficients& c, double omega) {
   checkOmega("adjointAt", c, omega);
   requireData("adjointAt", c, c.adjoint.size(), "adjoint vectors (adjoint)");
-  return vectorsAt("adjointAt", c, c.adjoint, c.adjointZero, c.adjointInf, omega);
+  return vectorsAt("adjointAt", c, c.adjoint, omega);
 }
 
 Coefficients::AdjointVectors adjointXAt(const Coefficients& c, double omega) {
   checkOmega("adjointXAt", c, omega);
   requireData("adjointXAt", c, c.adjointX.size(), "adjoint vectors of d/dx (adjoint_x)");
-  return vectorsAt("adjointXAt", c, c.adjointX, c.adjointXZero, c.adjointXInf, omega);
+  return vectorsAt("adjointXAt", c, c.adjointX, omega);
 }
 
 }  // namespace cutwater

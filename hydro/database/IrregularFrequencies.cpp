@@ -47,8 +47,9 @@ Coefficients regularPart(const Coefficients& c, const std::vector<bool>& kept) {
     list.resize(to);
   };
   keep(good.omega);
-  for (auto* list : {&good.addedMass, &good.damping, &good.addedMassX, &good.dampingX}) keep(*list);
-  for (auto* list : {&good.adjoint, &good.adjointX}) keep(*list);
+  for (auto* list : {&good.addedMass, &good.damping, &good.addedMassX, &good.dampingX})
+    keep(list->values);
+  for (auto* list : {&good.adjoint, &good.adjointX}) keep(list->values);
   for (auto& heading : good.diffraction) keep(heading);
   return good;
 }
@@ -70,8 +71,8 @@ void fillRadiation(Coefficients& c, const Coefficients& good, std::size_t i) {
   const auto held = [&](const Coefficients::AdjointVectors& inf) {
     return inf.cols() > 0 ? omega : std::min(omega, last);
   };
-  if (!c.adjoint.empty()) c.adjoint[i] = adjointAt(good, held(c.adjointInf));
-  if (!c.adjointX.empty()) c.adjointX[i] = adjointXAt(good, held(c.adjointXInf));
+  if (!c.adjoint.empty()) c.adjoint[i] = adjointAt(good, held(c.adjoint.atInfinity));
+  if (!c.adjointX.empty()) c.adjointX[i] = adjointXAt(good, held(c.adjointX.atInfinity));
 }
 
 void fillDiffraction(Coefficients& c, const Coefficients& good, std::size_t i,

@@ -111,7 +111,7 @@ void ExcitationTable::checkComponents(const Coefficients& c) const {
 }
 
 void ExcitationTable::makeVectors(const Coefficients& c) {
-  hasInfinity_ = c.adjointInf.cols() > 0;
+  hasInfinity_ = c.adjoint.atInfinity.cols() > 0;
   last_ = c.omega[(hasInfinity_ ? resolvedCount(c) : c.omega.size()) - 1];
   vectorStep_ = last_ / static_cast<double>(kVectorNodes - 1);
   vectorCount_ = kVectorNodes;
@@ -119,9 +119,9 @@ void ExcitationTable::makeVectors(const Coefficients& c) {
   std::vector<Coefficients::AdjointVectors> b, bx;
   for (std::size_t n = 0; n < vectorCount_ + (hasInfinity_ ? 1 : 0); ++n) {
     const double omega = n < vectorCount_ ? static_cast<double>(n) * vectorStep_ : HUGE_VAL;
-    b.push_back(n < vectorCount_ ? adjointAt(c, omega) : c.adjointInf);
+    b.push_back(n < vectorCount_ ? adjointAt(c, omega) : c.adjoint.atInfinity);
     if (hasX) {
-      bx.push_back(n < vectorCount_ ? adjointXAt(c, omega) : c.adjointXInf);
+      bx.push_back(n < vectorCount_ ? adjointXAt(c, omega) : c.adjointX.atInfinity);
     } else if (form_ == ForwardSpeedForm::Tuck) {
       const CMat6 iT = Complex(0.0, 1.0) * tuckMatrix().cast<Complex>();
       bx.push_back(iT * b.back());

@@ -34,7 +34,7 @@ Vec6 sizeOf(const Mat6& addedMass, double volume) {
 
 /// The ω = ∞ solution itself, whether or not the consistent value has taken its place.
 Mat6 directLimit(const Coefficients& c) {
-  const Mat6& direct = c.hasConsistentLimit() ? c.addedMassInfDirect : c.addedMassInf;
+  const Mat6& direct = c.hasConsistentLimit() ? c.addedMassInfDirect : c.addedMass.atInfinity;
   return 0.5 * (direct + direct.transpose());
 }
 
@@ -94,7 +94,7 @@ void continueAbove(Coefficients& c, const RetardationMatrix& memory) {
     }
     if (i < resolved) continue;
     c.damping[i] = memory.damping(omega);
-    c.addedMass[i] = c.addedMassInf - memory.sineTransform(omega) / omega;
+    c.addedMass[i] = c.addedMass.atInfinity - memory.sineTransform(omega) / omega;
     if (memory.hasSpeedTerms()) c.dampingX[i] = memory.dampingX(omega);
   }
 }
@@ -107,14 +107,14 @@ Coefficients withConsistentLimit(Coefficients coefficients) {
   const ConsistentLimit limit = limitOf(coefficients, memory);
   if (!limit.trusted) return coefficients;
   if (!coefficients.hasConsistentLimit())
-    coefficients.addedMassInfDirect = coefficients.addedMassInf;
-  coefficients.addedMassInf = limit.addedMassInf;
+    coefficients.addedMassInfDirect = coefficients.addedMass.atInfinity;
+  coefficients.addedMass.atInfinity = limit.addedMassInf;
   continueAbove(coefficients, memory);
-  if (memory.hasSpeedTerms()) coefficients.addedMassXInf = memory.addedMassXInf();
+  if (memory.hasSpeedTerms()) coefficients.addedMassX.atInfinity = memory.addedMassXInf();
   return coefficients;
 }
 
-double asymmetry(const std::vector<Mat6>& table) {
+double asymmetry(const OverFrequency<Mat6>& table) {
   Mat6 scale = Mat6::Zero(), worst = Mat6::Zero();
   for (const Mat6& m : table) {
     const Vec6 size = m.diagonal().cwiseAbs().cwiseSqrt();

@@ -43,7 +43,7 @@ ConsistentLimit consistentLimit(const Coefficients& coefficients);
 Coefficients withConsistentLimit(Coefficients coefficients);
 
 /// Largest |X_jk − X_kj| of a table over √(X_jj X_kk) at its largest, which is discretisation error in A and B.
-double asymmetry(const std::vector<Mat6>& table);
+double asymmetry(const OverFrequency<Mat6>& table);
 
 /// What a solver gave, made ready for readers and the time domain: A and B symmetrised (Timman & Newman
 /// 1962; what is left of A_jk − A_kj is discretisation error, noted in Provenance::settings), applyMask (IrregularFrequencies.h),

@@ -6,7 +6,7 @@ RadiationModel::RadiationModel(const Coefficients& coefficients, MemoryModel mem
                                std::optional<ForwardSpeedForm> form)
     : retardation_(coefficients, form), memory_(memory) {
   if (memory == MemoryModel::Exponential)
-    sum_ = std::make_unique<ExponentialSum>(retardation_, coefficients.addedMassInf);
+    sum_ = std::make_unique<ExponentialSum>(retardation_, coefficients.addedMass.atInfinity);
 }
 
 std::unique_ptr<RadiationMemory> RadiationModel::makeMemory(double step) const {

@@ -81,7 +81,8 @@ RetardationMatrix::RetardationMatrix(const Coefficients& coefficients,
 }
 
 void RetardationMatrix::addSpeedTerms(const Coefficients& c, const Vec6& scale) {
-  const Mat6 T = tuckMatrix(), A = 0.5 * (c.addedMassInf + c.addedMassInf.transpose());
+  const Mat6 T = tuckMatrix(),
+             A = 0.5 * (c.addedMass.atInfinity + c.addedMass.atInfinity.transpose());
   if (form_ == ForwardSpeedForm::Tuck) {
     addedMassXInf_ = T * A;
   } else {
@@ -97,8 +98,9 @@ void RetardationMatrix::addSpeedTerms(const Coefficients& c, const Vec6& scale) 
       return Mat6(c.addedMassX[i] + sineTransformX(c.omega[i]) / c.omega[i]);
     };
     // With a consistent limit it is that mean already, of ∂A before it went over to ∂B's.
-    addedMassXInf_ =
-        c.hasConsistentLimit() ? c.addedMassXInf : meanOverBand(c, seen).value_or(c.addedMassXInf);
+    addedMassXInf_ = c.hasConsistentLimit()
+                         ? c.addedMassX.atInfinity
+                         : meanOverBand(c, seen).value_or(c.addedMassX.atInfinity);
   }
   hasSpeedTerms_ = true;
   rise_ = ofX(Level::Remaining, 0.0);

@@ -34,7 +34,7 @@ TEST(BuildCoefficientsIdentity, SameBitsWhateverTheNumberOfThreads) {
     EXPECT_EQ(one.adjoint[i], three.adjoint[i]);
     EXPECT_EQ(one.conditionOdd[i], three.conditionOdd[i]);
   }
-  EXPECT_EQ(one.addedMassInf, three.addedMassInf);
+  EXPECT_EQ(one.addedMass.atInfinity, three.addedMass.atInfinity);
 }
 
 // Stopped after two frequencies, gone on with by another number of threads.

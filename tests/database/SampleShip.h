@@ -37,27 +37,28 @@ inline Coefficients sampleShip() {
   c.waveOmega = {0.3, 0.5};
   c.omega = {0.1, 0.25, 0.5, 0.9, 1.4};
   for (std::size_t i = 0; i < c.omega.size(); ++i) {
-    c.addedMass.push_back(any6());
-    c.damping.push_back(any6());
-    c.addedMassX.push_back(any6());
-    c.dampingX.push_back(any6());
+    c.addedMass.values.push_back(any6());
+    c.damping.values.push_back(any6());
+    c.addedMassX.values.push_back(any6());
+    c.dampingX.values.push_back(any6());
     c.conditionEven.push_back(10.0 + next());
     c.conditionOdd.push_back(20.0 + next());
-    c.adjoint.push_back(vectors());
-    c.adjointX.push_back(vectors());
+    c.adjoint.values.push_back(vectors());
+    c.adjointX.values.push_back(vectors());
     c.masked.push_back(i % 2 == 0 ? 0 : 1);
   }
-  for (auto* limit : {&c.adjointZero, &c.adjointXZero, &c.adjointInf, &c.adjointXInf})
+  for (auto* limit :
+       {&c.adjoint.atZero, &c.adjointX.atZero, &c.adjoint.atInfinity, &c.adjointX.atInfinity})
     *limit = vectors();
   c.forwardSpeed = ForwardSpeedForm::Tuck;
   c.conditionLimitEven = {{0.0, 30.0}, {1.0, 40.0}};
   c.conditionLimitOdd = {{0.5, 50.0}};
   c.diffractionTable = {{0.0, 5.0}, {kPi}, {0.3, 0.4, 0.6}, {}};
   for (int i = 0; i < 6; ++i) c.diffractionTable.values.emplace_back(vectors().col(0));
-  c.addedMassZero = any6();
-  c.addedMassInf = any6();
-  c.addedMassXZero = any6();
-  c.addedMassXInf = any6();
+  c.addedMass.atZero = any6();
+  c.addedMass.atInfinity = any6();
+  c.addedMassX.atZero = any6();
+  c.addedMassX.atInfinity = any6();
   for (auto* part : {&c.froudeKrylov, &c.diffraction}) {
     part->assign(c.headings.size(), std::vector<CVec6>(c.omega.size()));
     for (auto& heading : *part) {

@@ -28,12 +28,12 @@ TEST_F(BemioFile, GivesTheSameShipAtZeroSpeed) {
   for (const char* word : {"hull", "gyradii", "A(0)", "adjoint"}) {
     EXPECT_NE(warning.find(word), std::string::npos) << warning;
   }
-  EXPECT_LT(largestDifference(c.addedMass, back.addedMass), 1e-15);
-  EXPECT_LT(largestDifference(c.damping, back.damping), 1e-15);
-  EXPECT_LT((c.addedMassInf - back.addedMassInf).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT(largestDifference(c.addedMass.values, back.addedMass.values), 1e-15);
+  EXPECT_LT(largestDifference(c.damping.values, back.damping.values), 1e-15);
+  EXPECT_LT((c.addedMass.atInfinity - back.addedMass.atInfinity).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_LT((c.ship.restoring - back.ship.restoring).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_EQ(back.ship.mass, c.ship.density * c.ship.volume);
-  EXPECT_EQ(back.addedMassZero, back.addedMass.front());
+  EXPECT_EQ(back.addedMass.atZero, back.addedMass.values.front());
   const std::vector<std::size_t> order{3, 0, 1, 2};  // by β
   ASSERT_EQ(back.headings.size(), 4u);
   for (std::size_t h = 0; h < 4; ++h) {
@@ -76,7 +76,7 @@ TEST_F(BemioFile, ForeignTrapsAreMet) {
   }
   std::string warning;
   const Coefficients back = readCoefficients(path(), &warning);
-  EXPECT_EQ(back.addedMassInf, Mat6::Constant(2.0 * c.ship.density));
+  EXPECT_EQ(back.addedMass.atInfinity, Mat6::Constant(2.0 * c.ship.density));
   for (const char* word : {"Froude-Krylov", "water depth 50 m", "body1 alone"}) {
     EXPECT_NE(warning.find(word), std::string::npos) << warning;
   }

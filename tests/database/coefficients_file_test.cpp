@@ -59,14 +59,12 @@ void expectSame(const Coefficients& a, const Coefficients& b) {
   EXPECT_EQ(a.provenance.settings, b.provenance.settings);
   EXPECT_TRUE(sameBits(a.omega, b.omega));
   EXPECT_TRUE(sameBits(a.waveOmega, b.waveOmega));
-  EXPECT_TRUE(sameBits(a.addedMass, b.addedMass));
-  EXPECT_TRUE(sameBits(a.damping, b.damping));
-  EXPECT_TRUE(sameBits(a.addedMassZero, b.addedMassZero));
-  EXPECT_TRUE(sameBits(a.addedMassInf, b.addedMassInf));
-  EXPECT_TRUE(sameBits(a.addedMassX, b.addedMassX));
-  EXPECT_TRUE(sameBits(a.dampingX, b.dampingX));
-  EXPECT_TRUE(sameBits(a.addedMassXZero, b.addedMassXZero));
-  EXPECT_TRUE(sameBits(a.addedMassXInf, b.addedMassXInf));
+  for (const auto quantity : {&Coefficients::addedMass, &Coefficients::damping,
+                              &Coefficients::addedMassX, &Coefficients::dampingX}) {
+    EXPECT_TRUE(sameBits((a.*quantity).values, (b.*quantity).values));
+    EXPECT_TRUE(sameBits((a.*quantity).atZero, (b.*quantity).atZero));
+    EXPECT_TRUE(sameBits((a.*quantity).atInfinity, (b.*quantity).atInfinity));
+  }
   EXPECT_TRUE(sameBits(a.headings, b.headings));
   EXPECT_TRUE(sameBits(a.froudeKrylov, b.froudeKrylov));
   EXPECT_TRUE(sameBits(a.diffraction, b.diffraction));
@@ -84,10 +82,8 @@ void expectSame(const Coefficients& a, const Coefficients& b) {
     ASSERT_EQ((a.*list).size(), (b.*list).size());
     for (std::size_t i = 0; i < (a.*list).size(); ++i)
       EXPECT_TRUE(sameBits((a.*list)[i], (b.*list)[i]));
-  }
-  for (const auto limit : {&Coefficients::adjointZero, &Coefficients::adjointXZero,
-                           &Coefficients::adjointInf, &Coefficients::adjointXInf}) {
-    EXPECT_TRUE(sameBits(a.*limit, b.*limit));
+    EXPECT_TRUE(sameBits((a.*list).atZero, (b.*list).atZero));
+    EXPECT_TRUE(sameBits((a.*list).atInfinity, (b.*list).atInfinity));
   }
 }
 
@@ -104,11 +100,9 @@ TEST_F(CoefficientsFile, HoldsAShipWithoutTheOptionalParts) {
   c.ship.name.clear();
   c.ship.hull = {};
   c.provenance.settings.clear();
-  c.addedMassX.clear();
-  c.dampingX.clear();
-  for (auto* list : {&c.adjoint, &c.adjointX}) list->clear();
-  for (auto* limit : {&c.adjointZero, &c.adjointXZero, &c.adjointInf, &c.adjointXInf})
-    limit->resize(6, 0);
+  c.addedMassX = {};
+  c.dampingX = {};
+  for (auto* vectors : {&c.adjoint, &c.adjointX}) *vectors = {};
   c.diffractionTable = {};
   c.masked.clear();
   c.conditionLimitEven.clear();
@@ -210,14 +204,15 @@ TEST_F(CoefficientsFile, SizesThatDoNotMatchAreRefused) {
       EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
     }
   };
-  refused([](Coefficients& c) { c.adjointX.pop_back(); }, "adjoint_x");
-  refused([](Coefficients& c) { c.adjointInf.conservativeResize(6, 1); }, "adjoint_inf");
+  refused([](Coefficients& c) { c.adjointX.values.pop_back(); }, "adjoint_x");
+  refused([](Coefficients& c) { c.adjoint.atInfinity.conservativeResize(6, 1); }, "adjoint_inf");
   refused([](Coefficients& c) { c.masked[1] = 2; }, "masked");
   refused([](Coefficients& c) { c.masked.pop_back(); }, "masked");
   refused([](Coefficients& c) { c.diffractionTable.values.pop_back(); }, "diffraction_table");
   refused([](Coefficients& c) { c.diffractionTable.waveOmega[2] = 0.4; }, "wave_omega");
   refused([](Coefficients& c) { c.conditionLimitEven[1].first = 0.0; }, "condition_limit_even");
-  refused([](Coefficients& c) { c.adjointXZero(2, 1) = Complex(0.0, HUGE_VAL); }, "adjoint_x_zero");
+  refused([](Coefficients& c) { c.adjointX.atZero(2, 1) = Complex(0.0, HUGE_VAL); },
+          "adjoint_x_zero");
 }
 
 TEST_F(CoefficientsFile, MissingFileAndOtherFilesAreRefused) {

@@ -124,15 +124,15 @@ Coefficients smooth() {
   for (int i = 1; i <= 60; ++i) {
     const double w = 0.1 * i, f = fall(w);
     c.omega.push_back(w);
-    c.addedMass.push_back((1.0 + f) * A);
-    c.damping.push_back(w * w * w * f * f * f * B);
-    c.addedMassX.push_back((1.0 + f) * dA);
-    c.dampingX.push_back(w * w * w * f * f * f * dB);
+    c.addedMass.values.push_back((1.0 + f) * A);
+    c.damping.values.push_back(w * w * w * f * f * f * B);
+    c.addedMassX.values.push_back((1.0 + f) * dA);
+    c.dampingX.values.push_back(w * w * w * f * f * f * dB);
   }
-  c.addedMassZero = 2.0 * A;
-  c.addedMassInf = A;
-  c.addedMassXZero = 2.0 * dA;
-  c.addedMassXInf = dA;
+  c.addedMass.atZero = 2.0 * A;
+  c.addedMass.atInfinity = A;
+  c.addedMassX.atZero = 2.0 * dA;
+  c.addedMassX.atInfinity = dA;
   return c;
 }
 
@@ -153,11 +153,11 @@ TEST(ForwardSpeedIdentity, LimitsAreThoseOfTheFrequenciesBesideThem) {
     const SpeedCoefficients inf = atSpeed(c, HUGE_VAL, 3.0, form),
                             fast = atSpeed(c, 1e4, 3.0, form);
     EXPECT_LT(distance(inf, fast), 1e-6);  // (Ω/ω)² = 4e-7
-    EXPECT_EQ(inf.addedMass, c.addedMassInf);
+    EXPECT_EQ(inf.addedMass, c.addedMass.atInfinity);
   }
   EXPECT_TRUE(std::isnan(atSpeed(c, 0.0, 3.0, ForwardSpeedForm::Tuck).addedMass(Pitch, Pitch)));
   EXPECT_EQ(atSpeed(c, 0.0, 3.0, ForwardSpeedForm::Tuck).addedMass(Heave, Heave),
-            c.addedMassZero(Heave, Heave));
+            c.addedMass.atZero(Heave, Heave));
 }
 
 TEST(ForwardSpeedIdentity, ImpedanceIsThatOfAAndBAndTendsToTheStiffnessAtRest) {
@@ -170,8 +170,8 @@ TEST(ForwardSpeedIdentity, ImpedanceIsThatOfAAndBAndTendsToTheStiffnessAtRest) {
     const CMat6 found = radiationImpedance(c, w, U, form);
     EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 10.0 * kRoundOff * U * U);
     // (43), (45): c_j5 = −U²∂A_j3(0), c_j6 = +U²∂A_j2(0).
-    const Mat6 dA =
-        form == ForwardSpeedForm::Tuck ? Mat6(tuckMatrix() * c.addedMassZero) : c.addedMassXZero;
+    const Mat6 dA = form == ForwardSpeedForm::Tuck ? Mat6(tuckMatrix() * c.addedMass.atZero)
+                                                   : c.addedMassX.atZero;
     const CMat6 still = radiationImpedance(c, 0.0, U, form);
     EXPECT_LT((still.col(Pitch) - (-U * U * dA.col(Heave)).cast<Complex>()).norm(), kRoundOff * 25);
     EXPECT_LT((still.col(Yaw) - (U * U * dA.col(Sway)).cast<Complex>()).norm(), kRoundOff * 25);
@@ -182,7 +182,7 @@ TEST(ForwardSpeedIdentity, ImpedanceIsThatOfAAndBAndTendsToTheStiffnessAtRest) {
 
 TEST(ForwardSpeed, ReportsFormNeedsTheDerivativesAndTucksDoesNot) {
   Coefficients c = smooth();
-  c.addedMassX.clear();
+  c.addedMassX = {};
   try {
     atSpeed(c, 0.5, 2.0, ForwardSpeedForm::Report);
     FAIL();
@@ -199,13 +199,13 @@ TEST(ForwardSpeed, ReportsFormNeedsTheDerivativesAndTucksDoesNot) {
 TEST(ForwardSpeed, DerivativesBeyondWhatThePanelsResolveFollowTheirLimit) {
   Coefficients c = smooth();
   c.resolvedOmega = 4.05;
-  c.addedMassX.back().setConstant(1e9);  // rings
-  c.dampingX.back().setConstant(1e9);
+  c.addedMassX.values.back().setConstant(1e9);  // rings
+  c.dampingX.values.back().setConstant(1e9);
   // 1 + 1/(1 + ω²) continued by ω⁻² from ω = 4: off by 1/16 of itself at most, 0.3 % of the value.
-  EXPECT_LT((addedMassXAt(c, 6.0) - (1.0 + 1.0 / 37.0) * c.addedMassXInf).norm(),
-            0.003 * c.addedMassXInf.norm());
+  EXPECT_LT((addedMassXAt(c, 6.0) - (1.0 + 1.0 / 37.0) * c.addedMassX.atInfinity).norm(),
+            0.003 * c.addedMassX.atInfinity.norm());
   EXPECT_LT(dampingXAt(c, 6.0).cwiseAbs().maxCoeff(), 1.0);
-  EXPECT_EQ(addedMassXAt(c, 0.0), c.addedMassXZero);
+  EXPECT_EQ(addedMassXAt(c, 0.0), c.addedMassX.atZero);
   EXPECT_EQ(dampingXAt(c, 0.0), Mat6(Mat6::Zero()));
 }
 

@@ -15,12 +15,13 @@ Coefficients sampled(double step, double (*law)(double)) {
   for (int i = 1; i <= std::lround(3.0 / step); ++i) {
     const double w = i * step;
     c.omega.push_back(w);
-    c.addedMass.push_back(Mat6::Constant(law(w)));
-    c.damping.push_back(Mat6::Constant(w * law(w)));
-    c.adjoint.push_back(Eigen::Matrix<Complex, 6, Eigen::Dynamic>::Constant(6, 3, {law(w), w}));
+    c.addedMass.values.push_back(Mat6::Constant(law(w)));
+    c.damping.values.push_back(Mat6::Constant(w * law(w)));
+    c.adjoint.values.push_back(
+        Eigen::Matrix<Complex, 6, Eigen::Dynamic>::Constant(6, 3, {law(w), w}));
   }
-  c.addedMassZero = Mat6::Constant(law(0.0));
-  c.addedMassInf = Mat6::Constant(0.25);
+  c.addedMass.atZero = Mat6::Constant(law(0.0));
+  c.addedMass.atInfinity = Mat6::Constant(0.25);
   return c;
 }
 
@@ -55,15 +56,15 @@ TEST(Interpolation, GoesThroughTheDataAndToTheLimits) {
     EXPECT_EQ(dampingAt(c, c.omega[i]), c.damping[i]);
     EXPECT_EQ(adjointAt(c, c.omega[i]), c.adjoint[i]);
   }
-  EXPECT_EQ(addedMassAt(c, 0.0), c.addedMassZero);
-  EXPECT_EQ(addedMassAt(c, HUGE_VAL), c.addedMassInf);
+  EXPECT_EQ(addedMassAt(c, 0.0), c.addedMass.atZero);
+  EXPECT_EQ(addedMassAt(c, HUGE_VAL), c.addedMass.atInfinity);
   EXPECT_EQ(dampingAt(c, 0.0), Mat6::Zero().eval());
   EXPECT_EQ(dampingAt(c, HUGE_VAL), Mat6::Zero().eval());
 }
 
 TEST(Interpolation, DoesNotGuessBeyondTheData) {
   Coefficients c = test::sampleShip();
-  c.adjointInf.resize(6, 0);
+  c.adjoint.atInfinity.resize(6, 0);
   EXPECT_THROW(adjointAt(c, 1.5), HydroError);
   EXPECT_THROW(addedMassAt(c, -0.1), HydroError);
   EXPECT_THROW(dampingAt(c, std::nan("")), HydroError);
@@ -74,14 +75,14 @@ TEST(InterpolationClosedForm, AdjointVectorsGoThroughTheirLimits) {
   using Vectors = Coefficients::AdjointVectors;
   const auto law = [](double w) { return 1.0 + w * (2.0 - w * (0.5 + 0.3 * w)); };
   Coefficients c = sampled(0.25, law);
-  EXPECT_EQ(adjointAt(c, 0.0), c.adjoint.front());  // without the limit: held
-  c.adjointZero = Vectors::Constant(6, 3, Complex(law(0.0), 0.0));
+  EXPECT_EQ(adjointAt(c, 0.0), c.adjoint.values.front());  // without the limit: held
+  c.adjoint.atZero = Vectors::Constant(6, 3, Complex(law(0.0), 0.0));
   for (double w = 0.0; w <= 0.75; w += 0.05)
     EXPECT_NEAR(std::abs(adjointAt(c, w)(5, 2) - Complex(law(w), w)), 0.0, 1e-13);
-  c.adjointX = c.adjoint;
-  c.adjointXInf = Vectors::Constant(6, 3, Complex(7.0, 1.0));
-  EXPECT_EQ(adjointXAt(c, 0.0), c.adjoint.front());
-  const Complex last = c.adjoint.back()(0, 0), inf(7.0, 1.0);
+  c.adjointX.values = c.adjoint.values;
+  c.adjointX.atInfinity = Vectors::Constant(6, 3, Complex(7.0, 1.0));
+  EXPECT_EQ(adjointXAt(c, 0.0), c.adjoint.values.front());
+  const Complex last = c.adjoint.values.back()(0, 0), inf(7.0, 1.0);
   EXPECT_NEAR(std::abs(adjointXAt(c, 6.0)(0, 0) - (inf + 0.25 * (last - inf))), 0.0, 1e-12);
   EXPECT_EQ(adjointXAt(c, HUGE_VAL)(1, 1), inf);
   // What the panels do not resolve is not used once there is a limit to go to.

@@ -17,27 +17,26 @@ double resonance(double w) { return 0.0004 / ((w - 2.0) * (w - 2.0) + 0.0004); }
 Coefficients withResonance(double height) {
   Coefficients c = test::sampleShip();
   c.omega.clear();
-  for (auto* list : {&c.addedMass, &c.damping, &c.addedMassX, &c.dampingX}) list->clear();
+  for (auto* matrices : {&c.addedMass, &c.damping, &c.addedMassX, &c.dampingX}) *matrices = {};
   for (auto* list : {&c.conditionEven, &c.conditionOdd}) list->clear();
-  c.adjoint.clear();
+  c.adjoint = {};
   c.masked.clear();
   c.conditionLimitOdd.clear();
-  for (auto* limit : {&c.adjointZero, &c.adjointXZero, &c.adjointInf, &c.adjointXInf})
-    limit->resize(6, 0);
+  c.adjointX = {};
   for (int i = 1; i <= 60; ++i) {
     const double w = 0.05 * i, f = smooth(w) + height * resonance(w);
     c.omega.push_back(w);
-    c.addedMass.push_back(Mat6::Constant(1.0 + f));
-    c.damping.push_back(Mat6::Constant(f));
-    c.addedMassX.push_back(Mat6::Constant(2.0 * f));
-    c.dampingX.push_back(Mat6::Constant(3.0 * f));
+    c.addedMass.values.push_back(Mat6::Constant(1.0 + f));
+    c.damping.values.push_back(Mat6::Constant(f));
+    c.addedMassX.values.push_back(Mat6::Constant(2.0 * f));
+    c.dampingX.values.push_back(Mat6::Constant(3.0 * f));
     c.conditionEven.push_back(10.0 + 1000.0 * resonance(w));
     c.conditionOdd.push_back(10.0);
-    c.adjoint.push_back(Coefficients::AdjointVectors::Constant(6, 2, Complex(f, 1.0)));
+    c.adjoint.values.push_back(Coefficients::AdjointVectors::Constant(6, 2, Complex(f, 1.0)));
   }
   c.adjointX = c.adjoint;
-  c.addedMassZero = c.addedMassInf = Mat6::Constant(1.0);
-  c.addedMassXZero = c.addedMassXInf = Mat6::Zero();
+  c.addedMass.atZero = c.addedMass.atInfinity = Mat6::Constant(1.0);
+  c.addedMassX.atZero = c.addedMassX.atInfinity = Mat6::Zero();
   for (auto* table : {&c.froudeKrylov, &c.diffraction}) {
     for (auto& heading : *table) {
       heading.clear();
@@ -67,11 +66,11 @@ TEST(IrregularFrequenciesIdentity, MaskedResonanceLeavesTheSmoothCurve) {
   }
   EXPECT_EQ(count, 5);
   // What is left of the resonance is its flank, 5·0.0004/0.15² = 0.09 beside the mask, 5 before.
-  EXPECT_GT(worst(withResonance(5.0).damping, clean.damping), 4.9);
-  EXPECT_LT(worst(masked.addedMass, clean.addedMass), 0.15);
-  EXPECT_LT(worst(masked.damping, clean.damping), 0.15);
-  EXPECT_LT(worst(masked.addedMassX, clean.addedMassX), 0.3);
-  EXPECT_LT(worst(masked.dampingX, clean.dampingX), 0.45);
+  EXPECT_GT(worst(withResonance(5.0).damping.values, clean.damping.values), 4.9);
+  EXPECT_LT(worst(masked.addedMass.values, clean.addedMass.values), 0.15);
+  EXPECT_LT(worst(masked.damping.values, clean.damping.values), 0.15);
+  EXPECT_LT(worst(masked.addedMassX.values, clean.addedMassX.values), 0.3);
+  EXPECT_LT(worst(masked.dampingX.values, clean.dampingX.values), 0.45);
   for (std::size_t i = 0; i < masked.omega.size(); ++i) {
     EXPECT_LT((masked.adjoint[i] - clean.adjoint[i]).cwiseAbs().maxCoeff(), 0.15);
     EXPECT_LT((masked.adjointX[i] - clean.adjointX[i]).cwiseAbs().maxCoeff(), 0.15);
@@ -83,17 +82,17 @@ TEST(IrregularFrequenciesIdentity, WhereTheCurveIsSmoothTheMaskHardlyShows) {
   Coefficients c = withResonance(0.0);
   const Coefficients clean = c;
   c = applyMask(c);
-  EXPECT_LT(worst(c.damping, clean.damping), 6e-4);
-  EXPECT_GT(worst(c.damping, clean.damping), 0.0);
+  EXPECT_LT(worst(c.damping.values, clean.damping.values), 6e-4);
+  EXPECT_GT(worst(c.damping.values, clean.damping.values), 0.0);
   const Coefficients again = applyMask(c);
-  EXPECT_EQ(worst(again.damping, c.damping), 0.0);
+  EXPECT_EQ(worst(again.damping.values, c.damping.values), 0.0);
   EXPECT_EQ(again.masked, c.masked);
 }
 
 TEST(IrregularFrequencies, WithoutVectorsTheForcesAreInterpolatedThemselves) {
   Coefficients c = withResonance(5.0);
-  c.adjoint.clear();
-  c.adjointX.clear();
+  c.adjoint = {};
+  c.adjointX = {};
   const Coefficients masked = applyMask(c), clean = withResonance(0.0);
   for (std::size_t i = 0; i < c.omega.size(); ++i)
     EXPECT_LT((masked.diffraction[1][i] - clean.diffraction[1][i]).cwiseAbs().maxCoeff(), 0.15);
@@ -108,9 +107,10 @@ TEST(IrregularFrequencies, MaskAtTheEndsUsesTheLimits) {
   EXPECT_EQ(masked.masked.front(), 1);
   EXPECT_EQ(masked.masked.back(), 1);
   // Through B(0) = 0: exact to the cubic's error 0.1⁴ f''''/24·… < 1e-4. Above: (2.95/3)³ of the last.
-  EXPECT_NEAR(masked.damping.front()(0, 0), c.damping.front()(0, 0), 1e-4);
-  EXPECT_NEAR(masked.damping.back()(0, 0), std::pow(2.95 / 3.0, 3) * smooth(2.95), 1e-12);
-  EXPECT_EQ(masked.adjoint.back(), c.adjoint[c.adjoint.size() - 2]);  // no vectors of ω = ∞: held
+  EXPECT_NEAR(masked.damping.values.front()(0, 0), c.damping.values.front()(0, 0), 1e-4);
+  EXPECT_NEAR(masked.damping.values.back()(0, 0), std::pow(2.95 / 3.0, 3) * smooth(2.95), 1e-12);
+  EXPECT_EQ(masked.adjoint.values.back(),
+            c.adjoint[c.adjoint.size() - 2]);  // no vectors of ω = ∞: held
 }
 
 TEST(IrregularFrequencies, EnvelopesAreLinearBetweenAndConstantOutside) {

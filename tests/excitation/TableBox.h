@@ -34,12 +34,12 @@ inline Coefficients tableBox(bool symmetric = true) {
   };
   for (std::size_t i = 0; i < c.omega.size(); ++i) {
     c.adjoint[i] = vectors(c.omega[i], 1.0);
-    c.adjointX.push_back(vectors(c.omega[i], 0.3));
+    c.adjointX.values.push_back(vectors(c.omega[i], 0.3));
   }
-  c.adjointZero = vectors(0.0, 1.0);
-  c.adjointXZero = vectors(0.0, 0.3);
-  c.adjointInf = 0.05 * vectors(4.0, 1.0);
-  c.adjointXInf = 0.05 * vectors(4.0, 0.3);
+  c.adjoint.atZero = vectors(0.0, 1.0);
+  c.adjointX.atZero = vectors(0.0, 0.3);
+  c.adjoint.atInfinity = 0.05 * vectors(4.0, 1.0);
+  c.adjointX.atInfinity = 0.05 * vectors(4.0, 0.3);
   return c;
 }
 

@@ -101,8 +101,8 @@ TEST(ExcitationTable, WithoutVectorsDiffractionIsThatAtRest) {
       c.diffraction.back().push_back(force.diffraction);
     }
   }
-  c.adjoint.clear();
-  c.adjointX.clear();
+  c.adjoint = {};
+  c.adjointX = {};
   // On a grid of 15° the database's own straight lines have corners, of which cubics cut 1 %.
   EXPECT_LT(tableError(c, tableSea(), ForwardSpeedForm::Report, 0.0), 0.02);
   const ExcitationTable table(c, tableSea());
@@ -118,8 +118,8 @@ TEST(ExcitationTable, RefusesSeasBeyondTheDatabaseByNameAndLivesWithoutVectorsOf
     EXPECT_EQ(error.fault(), Fault::ValueOutOfRange);
     EXPECT_NE(std::string(error.what()).find("component 1"), std::string::npos) << error.what();
   }
-  c.adjointInf.resize(6, 0);
-  c.adjointXInf.resize(6, 0);
+  c.adjoint.atInfinity.resize(6, 0);
+  c.adjointX.atInfinity.resize(6, 0);
   const ExcitationTable table(c,
                               tableSea(40, 0.4, 3.9));  // head seas at speed are met beyond 4 rad/s
   EXPECT_TRUE(table.at(39, kPi, 10.0).diffraction.allFinite());

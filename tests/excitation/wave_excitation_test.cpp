@@ -63,7 +63,7 @@ TEST(WaveExcitationIdentity, TableOfAPlainFileGivesItsOwnNodes) {
   }
   const CVec6 expected = exact.at(1.3, -kPi / 2).total();
   Coefficients plain = ship;
-  plain.adjoint.clear();
+  plain.adjoint = {};
   plain.froudeKrylov = fk;
   plain.diffraction = diffraction;
   const CVec6 force = WaveExcitation(plain).at(1.3, -kPi / 2).total();  // the mirror image of +90°

@@ -26,15 +26,16 @@ inline Coefficients boxShip(const Vec3& cog = Vec3(0.5, 0.0, 0.3)) {
   for (int i = 1; i <= 40; ++i) {
     const double omega = 0.1 * i;
     c.omega.push_back(omega);
-    c.addedMass.push_back(c.ship.mass * (0.8 + 0.3 / (1.0 + omega * omega)) * Mat6::Identity());
-    c.damping.push_back(c.ship.mass * omega * omega * std::exp(-omega) * Mat6::Identity());
+    c.addedMass.values.push_back(c.ship.mass * (0.8 + 0.3 / (1.0 + omega * omega)) *
+                                 Mat6::Identity());
+    c.damping.values.push_back(c.ship.mass * omega * omega * std::exp(-omega) * Mat6::Identity());
     // b_j ∝ ω of the panel's area: a diffraction force that is known in closed form below.
-    c.adjoint.push_back(Eigen::Matrix<Complex, 6, Eigen::Dynamic>::Constant(
+    c.adjoint.values.push_back(Eigen::Matrix<Complex, 6, Eigen::Dynamic>::Constant(
         6, static_cast<Eigen::Index>(c.ship.wetSurface.faces.size()),
         Complex(0.0, kBoxDensity * omega)));
   }
-  c.addedMassZero = 1.1 * c.ship.mass * Mat6::Identity();
-  c.addedMassInf = 0.8 * c.ship.mass * Mat6::Identity();
+  c.addedMass.atZero = 1.1 * c.ship.mass * Mat6::Identity();
+  c.addedMass.atInfinity = 0.8 * c.ship.mass * Mat6::Identity();
   return c;
 }
 

@@ -157,7 +157,7 @@ TEST(HullLiftClosedForm, ResistsLeewayAndTurningInProportionToSpeed) {
   Coefficients c;
   c.ship = keptShip();
   const double added = 0.8 * kMass;
-  c.addedMassZero(Sway, Sway) = added;
+  c.addedMass.atZero(Sway, Sway) = added;
   HullLift lift(c, kLength);
   TickInput motion;
   motion.speed = 10.0;

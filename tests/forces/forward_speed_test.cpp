@@ -35,13 +35,13 @@ Coefficients movingBox() {
   for (std::size_t i = 0; i < c.omega.size(); ++i) {
     const double w = c.omega[i];
     c.adjoint[i] = vectors(omegaVector(w));
-    c.adjointX.push_back(vectors(speedVector(w)));
-    c.addedMassX.push_back(0.1 * c.ship.mass / (1.0 + w * w) * shape);
-    c.dampingX.push_back(0.1 * c.ship.mass * w * w * w * std::exp(-w) * shape);
+    c.adjointX.values.push_back(vectors(speedVector(w)));
+    c.addedMassX.values.push_back(0.1 * c.ship.mass / (1.0 + w * w) * shape);
+    c.dampingX.values.push_back(0.1 * c.ship.mass * w * w * w * std::exp(-w) * shape);
   }
-  c.adjointZero = vectors(omegaVector(0.0));
-  c.adjointXZero = vectors(speedVector(0.0));
-  c.addedMassXZero = 0.1 * c.ship.mass * shape;
+  c.adjoint.atZero = vectors(omegaVector(0.0));
+  c.adjointX.atZero = vectors(speedVector(0.0));
+  c.addedMassX.atZero = 0.1 * c.ship.mass * shape;
   return c;
 }
 
@@ -51,7 +51,7 @@ CVec6 expectedDiffraction(const Coefficients& c, double omegaI, double heading, 
   const PanelMesh mesh = makePanels(c.ship.wetSurface, true);
   const Complex factor = (w * omegaVector(w) + speed * speedVector(w)) / speedVector(0.0);
   return factor *
-         diffractionForce(c.adjointXZero, mesh, {omegaI, heading, kBoxGravity}, c.ship.cog);
+         diffractionForce(c.adjointX.atZero, mesh, {omegaI, heading, kBoxGravity}, c.ship.cog);
 }
 
 TEST(EncounterFrequencyClosedForm, HeadSeasMeetOftenerFollowingSeasAreOvertaken) {
@@ -102,7 +102,7 @@ TEST(WaveExcitationIdentity, DiffractionIsContinuousThroughZeroEncounterFrequenc
 
 TEST(WaveExcitationIdentity, TucksSpeedForceComesFromHeaveAndSwayAlone) {
   Coefficients ship = movingBox();
-  ship.adjointX.clear();  // not needed
+  ship.adjointX = {};  // not needed
   const double omegaI = 1.1, heading = 2.2, speed = 4.0;
   const double w = encounterFrequency(omegaI, speed, heading, kBoxGravity);
   const CVec6 force =
@@ -118,7 +118,7 @@ TEST(WaveExcitationIdentity, TucksSpeedForceComesFromHeaveAndSwayAlone) {
 
 TEST(WaveExcitation, SaysWhatADatabaseLacksAtSpeed) {
   Coefficients ship = movingBox();
-  ship.adjointX.clear();
+  ship.adjointX = {};
   EXPECT_NO_THROW(WaveExcitation(ship).at(1.0, 0.0));
   try {
     WaveExcitation(ship).at(1.0, 0.0, 3.0);
@@ -130,16 +130,16 @@ TEST(WaveExcitation, SaysWhatADatabaseLacksAtSpeed) {
   // Head seas at 4 rad/s and 3 m/s are met at 8.9 rad/s: beyond 4 rad/s only with vectors of ω = ∞.
   Coefficients all = movingBox();
   EXPECT_THROW(WaveExcitation(all).at(4.0, kPi, 3.0), HydroError);
-  all.adjointInf = all.adjoint.back();
-  all.adjointXInf = all.adjointX.back();
+  all.adjoint.atInfinity = all.adjoint.values.back();
+  all.adjointX.atInfinity = all.adjointX.values.back();
   EXPECT_NO_THROW(WaveExcitation(all).at(4.0, kPi, 3.0));
 }
 
 Coefficients withTable(const Coefficients& ship) {
   const WaveExcitation exact(ship);
   Coefficients table = ship;
-  table.adjoint.clear();
-  table.adjointX.clear();
+  table.adjoint = {};
+  table.adjointX = {};
   table.diffractionTable = {{0.0, 5.0}, {kPi / 2, kPi * 5 / 6, kPi}, {}, {}};
   DiffractionTable& t = table.diffractionTable;
   for (int i = 0; i < 21; ++i) t.waveOmega.push_back(0.5 + 0.05 * i);

@@ -67,19 +67,19 @@ struct CausalShip {
     Coefficients c;
     c.ship.volume = 1.0;
     const auto zero = [](const CausalKernel& k) { return k.E(0.0); };
-    c.addedMassInf = addedMassInf;
-    c.addedMassXInf = addedMassXInf;
-    c.addedMassZero = addedMassInf + rest(zero);
-    c.addedMassXZero = addedMassXInf + x(zero);
+    c.addedMass.atInfinity = addedMassInf;
+    c.addedMassX.atInfinity = addedMassXInf;
+    c.addedMass.atZero = addedMassInf + rest(zero);
+    c.addedMassX.atZero = addedMassXInf + x(zero);
     for (int i = 1; i <= std::lround(last / step); ++i) {
       const double w = i * step;
       const auto re = [&](const CausalKernel& k) { return k.transform(w).real(); };
       const auto im = [&](const CausalKernel& k) { return k.transform(w).imag() / w; };
       c.omega.push_back(w);
-      c.damping.push_back(rest(re));
-      c.addedMass.push_back(addedMassInf + rest(im));
-      c.dampingX.push_back(x(re));
-      c.addedMassX.push_back(addedMassXInf + x(im));
+      c.damping.values.push_back(rest(re));
+      c.addedMass.values.push_back(addedMassInf + rest(im));
+      c.dampingX.values.push_back(x(re));
+      c.addedMassX.values.push_back(addedMassXInf + x(im));
     }
     return c;
   }

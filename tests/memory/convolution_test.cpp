@@ -20,7 +20,7 @@ Coefficients coupledShip() {
     matrix.diagonal() << b, 2.0 * b, 3.0 * b, 0.5 * b, 4.0 * b, b;
     matrix(2, 4) = matrix(4, 2) = 0.3 * b;
     c.omega.push_back(w);
-    c.damping.push_back(matrix);
+    c.damping.values.push_back(matrix);
   }
   return c;
 }

@@ -224,13 +224,13 @@ TEST(RadiationModel, LivesWithPoorDatabases) {
     Coefficients two = whole;
     two.omega = {whole.omega[9], whole.omega[29]};
     for (auto* matrices : {&two.damping, &two.dampingX, &two.addedMass, &two.addedMassX})
-      *matrices = {(*matrices)[9], (*matrices)[29]};
+      matrices->values = {(*matrices)[9], (*matrices)[29]};
     // The convolution is cut off at 2π/Δω = 3 s, beyond which two points say nothing.
     EXPECT_LT(distanceOfModels(two, form, 3.0), 0.2);
   }
   Coefficients plain = whole;  // no ∂A, ∂B: the report's form at rest only
-  plain.addedMassX.clear();
-  plain.dampingX.clear();
+  plain.addedMassX = {};
+  plain.dampingX = {};
   EXPECT_FALSE(RadiationModel(plain).hasSpeedTerms());
   EXPECT_LT(distanceOfModels(plain, ForwardSpeedForm::Report, 3.0), 0.01);
 }

@@ -221,8 +221,8 @@ Coefficients shipLike() {
     b(4, 2) = 0.22 * b(2, 2);
     b(0, 1) = 1e-12 * b(0, 0);
     c.omega.push_back(w);
-    c.damping.push_back(b);
-    c.addedMass.push_back(Mat6::Zero());
+    c.damping.values.push_back(b);
+    c.addedMass.values.push_back(Mat6::Zero());
   }
   return c;
 }
@@ -247,7 +247,7 @@ TEST(RetardationMatrix, FrequenciesThePanelsDoNotResolveAreLeftToTheTail) {
   Coefficients noisy = shipLike(), cut = shipLike();
   noisy.resolvedOmega = 4.05;
   cut.omega.resize(40);
-  cut.damping.resize(40);
+  cut.damping.values.resize(40);
   for (std::size_t i = 40; i < 60; ++i) noisy.damping[i] *= i % 2 == 0 ? 30.0 : -30.0;
   for (double tau : {0.0, 0.5, 3.0, 20.0}) {
     EXPECT_EQ(RetardationMatrix(noisy).at(tau), RetardationMatrix(cut).at(tau));

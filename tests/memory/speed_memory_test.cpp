@@ -34,7 +34,7 @@ double impedanceError(double step, ForwardSpeedForm form) {
       const SpeedCoefficients z = ship.atSpeed(omega, U, form);
       const CMat6 exact =
           z.damping.cast<Complex>() + Complex(0.0, omega) * z.addedMass.cast<Complex>();
-      const CMat6 found = ofMemory(K, c.addedMassInf, transforms.at(U), omega, U);
+      const CMat6 found = ofMemory(K, c.addedMass.atInfinity, transforms.at(U), omega, U);
       error = std::max(error, (found - exact).cwiseAbs().maxCoeff());
       size = std::max(size, exact.cwiseAbs().maxCoeff());
     }
@@ -121,10 +121,12 @@ TEST(SpeedMemoryClosedForm, DampingAndStiffnessOfSpeed) {
   const Coefficients c = ship.coefficients(0.1, 48.0);
   const RetardationMatrix K(c);
   const Mat6 Tt = tuckMatrix().transpose();
-  EXPECT_LT((K.addedMassXInf() - c.addedMassXInf).cwiseAbs().maxCoeff(), 3e-5);
-  EXPECT_LT((K.speedDamping() - (c.addedMassInf * Tt - c.addedMassXInf)).cwiseAbs().maxCoeff(),
+  EXPECT_LT((K.addedMassXInf() - c.addedMassX.atInfinity).cwiseAbs().maxCoeff(), 3e-5);
+  EXPECT_LT((K.speedDamping() - (c.addedMass.atInfinity * Tt - c.addedMassX.atInfinity))
+                .cwiseAbs()
+                .maxCoeff(),
             3e-5);
-  EXPECT_LT((K.speedStiffness() + c.addedMassXZero * Tt).cwiseAbs().maxCoeff(), 3e-5);
+  EXPECT_LT((K.speedStiffness() + c.addedMassX.atZero * Tt).cwiseAbs().maxCoeff(), 3e-5);
 }
 
 // Z(U) = S Z⁰ Sᴴ: nothing but round-off.
@@ -156,8 +158,8 @@ TEST(SpeedMemoryIdentity, TheReportsFormWithTucksDerivativesIsTucks) {
     c.addedMassX[i] = T * c.addedMass[i];
     c.dampingX[i] = T * c.damping[i];
   }
-  c.addedMassXInf = T * c.addedMassInf;
-  c.addedMassXZero = T * c.addedMassZero;
+  c.addedMassX.atInfinity = T * c.addedMass.atInfinity;
+  c.addedMassX.atZero = T * c.addedMass.atZero;
   const RetardationMatrix report(c, ForwardSpeedForm::Report), tuck(c, ForwardSpeedForm::Tuck);
   for (double tau : {0.0, 0.7, 3.0})
     EXPECT_LT(distance(report.kernels(tau), tuck.kernels(tau)), 1e-13);  // round-off
@@ -169,8 +171,8 @@ TEST(SpeedMemoryIdentity, TheReportsFormWithTucksDerivativesIsTucks) {
 
 TEST(SpeedMemory, WithoutXDerivativesTheReportsFormHasNoSpeedTermsAndTucksHas) {
   Coefficients c = CausalShip().coefficients(0.2, 20.0);
-  c.addedMassX.clear();
-  c.dampingX.clear();
+  c.addedMassX = {};
+  c.dampingX = {};
   const RetardationMatrix report(c, ForwardSpeedForm::Report), tuck(c, ForwardSpeedForm::Tuck);
   EXPECT_FALSE(report.hasSpeedTerms());
   EXPECT_TRUE(report.speedDamping().isZero(0.0));

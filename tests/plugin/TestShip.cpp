@@ -56,12 +56,13 @@ Coefficients hemisphere() {
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const double omega = std::sqrt(table.number(i, "Ka") * kSphereGravity / kRadius);
     c.omega.push_back(omega);
-    c.addedMass.push_back(translations(table.number(i, "surge_A"), table.number(i, "heave_A")));
-    c.damping.push_back(omega *
-                        translations(table.number(i, "surge_B"), table.number(i, "heave_B")));
+    c.addedMass.values.push_back(
+        translations(table.number(i, "surge_A"), table.number(i, "heave_A")));
+    c.damping.values.push_back(
+        omega * translations(table.number(i, "surge_B"), table.number(i, "heave_B")));
   }
-  c.addedMassZero = translations(0.5, 0.8310);
-  c.addedMassInf = translations(0.2732, 0.5);
+  c.addedMass.atZero = translations(0.5, 0.8310);
+  c.addedMass.atInfinity = translations(0.2732, 0.5);
   addWaveForces(c);
   return c;
 }
@@ -84,10 +85,10 @@ Coefficients slenderShip() {
   ship.supplementary.damping[Roll] = 2e7;
   Vec6 mass;
   mass << 1e5, 1.5e6, 4e6, 3e7, 3e9, 1e9;
-  c.addedMassInf = mass.asDiagonal();
-  c.addedMassInf(Sway, Yaw) = c.addedMassInf(Yaw, Sway) = -2e6;
-  c.addedMassInf(Heave, Pitch) = c.addedMassInf(Pitch, Heave) = 1e7;
-  const Mat6 b = 0.5 * c.addedMassInf;
+  c.addedMass.atInfinity = mass.asDiagonal();
+  c.addedMass.atInfinity(Sway, Yaw) = c.addedMass.atInfinity(Yaw, Sway) = -2e6;
+  c.addedMass.atInfinity(Heave, Pitch) = c.addedMass.atInfinity(Pitch, Heave) = 1e7;
+  const Mat6 b = 0.5 * c.addedMass.atInfinity;
   std::vector<double> law;
   for (int i = 1; i <= 60; ++i) {
     c.omega.push_back(0.1 * i);
@@ -95,10 +96,11 @@ Coefficients slenderShip() {
   }
   const RetardationFunction memory(c.omega, law);
   for (std::size_t i = 0; i < c.omega.size(); ++i) {
-    c.damping.push_back(law[i] * b);
-    c.addedMass.push_back(c.addedMassInf - memory.sineTransform(c.omega[i]) / c.omega[i] * b);
+    c.damping.values.push_back(law[i] * b);
+    c.addedMass.values.push_back(c.addedMass.atInfinity -
+                                 memory.sineTransform(c.omega[i]) / c.omega[i] * b);
   }
-  c.addedMassZero = c.addedMassInf + memory.remaining(0.0) * b;
+  c.addedMass.atZero = c.addedMass.atInfinity + memory.remaining(0.0) * b;
   c.forwardSpeed = ForwardSpeedForm::Tuck;
   for (const double x : {-55.0, 55.0}) {
     for (const double y : {-7.0, 7.0}) {

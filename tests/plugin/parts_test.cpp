@@ -141,7 +141,7 @@ TEST(PartsIdentity, AddedMassIsAPartThatCanBeSwitchedOff) {
   const double before = scene.sphere->velocity()[Heave];
   scene.run(64);
   // m g / (m + A33(inf)): l is A33 over the mass, which the solver's single pass gives exactly.
-  const double l = scene.coefficients.addedMassInf(2, 2) / scene.coefficients.ship.mass;
+  const double l = scene.coefficients.addedMass.atInfinity(2, 2) / scene.coefficients.ship.mass;
   EXPECT_NEAR(scene.sphere->velocity()[Heave] - before, -kSphereGravity / (1.0 + l),
               400 * kEpsilon);
 }

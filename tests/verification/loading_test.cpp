@@ -55,25 +55,17 @@ constexpr double kSolver = 1e-10;
 
 void expectSame(const Coefficients& a, const Coefficients& b) {
   EXPECT_LT(distance(a.ship.restoring, b.ship.restoring), 1e-12);
-  for (const auto list : {&Coefficients::addedMass, &Coefficients::damping,
-                          &Coefficients::addedMassX, &Coefficients::dampingX}) {
-    ASSERT_EQ((a.*list).size(), (b.*list).size());
-    for (std::size_t i = 0; i < (a.*list).size(); ++i)
-      EXPECT_LT(distance((a.*list)[i], (b.*list)[i]), kSolver);
-  }
-  for (const auto limit : {&Coefficients::addedMassZero, &Coefficients::addedMassInf,
-                           &Coefficients::addedMassXZero, &Coefficients::addedMassXInf}) {
-    EXPECT_LT(distance(a.*limit, b.*limit), kSolver);
-  }
-  for (const auto list : {&Coefficients::adjoint, &Coefficients::adjointX}) {
-    ASSERT_EQ((a.*list).size(), (b.*list).size());
-    for (std::size_t i = 0; i < (a.*list).size(); ++i)
-      EXPECT_LT(distance((a.*list)[i], (b.*list)[i]), kSolver);
-  }
-  for (const auto limit : {&Coefficients::adjointZero, &Coefficients::adjointXZero,
-                           &Coefficients::adjointInf, &Coefficients::adjointXInf}) {
-    EXPECT_LT(distance(a.*limit, b.*limit), kSolver);
-  }
+  const auto expectNear = [](const auto& one, const auto& other) {
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t i = 0; i < one.size(); ++i) EXPECT_LT(distance(one[i], other[i]), kSolver);
+    EXPECT_LT(distance(one.atZero, other.atZero), kSolver);
+    EXPECT_LT(distance(one.atInfinity, other.atInfinity), kSolver);
+  };
+  for (const auto quantity : {&Coefficients::addedMass, &Coefficients::damping,
+                              &Coefficients::addedMassX, &Coefficients::dampingX})
+    expectNear(a.*quantity, b.*quantity);
+  for (const auto vectors : {&Coefficients::adjoint, &Coefficients::adjointX})
+    expectNear(a.*vectors, b.*vectors);
   for (std::size_t h = 0; h < a.headings.size(); ++h) {
     for (std::size_t i = 0; i < a.omega.size(); ++i) {
       EXPECT_LT((a.diffraction[h][i] - b.diffraction[h][i]).norm(),

@@ -33,7 +33,7 @@ struct Distance {
 };
 
 Distance distance(const Coefficients& c, const RetardationMatrix& memory, double last) {
-  const Mat6 limit = 0.5 * (c.addedMassInf + c.addedMassInf.transpose());
+  const Mat6 limit = 0.5 * (c.addedMass.atInfinity + c.addedMass.atInfinity.transpose());
   const Vec6 size = limit.diagonal().cwiseSqrt();
   Distance d;
   for (std::size_t i = 0; i < c.omega.size(); ++i) {

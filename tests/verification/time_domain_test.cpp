@@ -96,7 +96,7 @@ double worstInBand(const Coefficients& c, const RadiationModel& model, ForwardSp
   for (const double omega : c.omega) {
     if (omega < band.from - 1e-9 || omega > band.to + 1e-9) continue;
     error.add(atSpeed(c, omega, U, form),
-              impedanceOf(model, c.addedMassInf, transform(omega, U), omega, U), omega);
+              impedanceOf(model, c.addedMass.atInfinity, transform(omega, U), omega, U), omega);
   }
   return error.worst();
 }
@@ -141,8 +141,8 @@ TEST(TimeDomainIdentity, MemoryGivesBackAddedMassAndDampingAtEverySpeed) {
 TEST(TimeDomainIdentity, AFinishedDatabaseIsItsOwnContinuation) {
   const Coefficients once = readyForUse(solvedFrigate(224)), twice = readyForUse(once);
   const RetardationMatrix memory(once, ForwardSpeedForm::Report);
-  EXPECT_EQ(memory.addedMassXInf(), once.addedMassXInf);
-  EXPECT_EQ(twice.addedMassXInf, once.addedMassXInf);
+  EXPECT_EQ(memory.addedMassXInf(), once.addedMassX.atInfinity);
+  EXPECT_EQ(twice.addedMassX.atInfinity, once.addedMassX.atInfinity);
   double most = 0.0, moved = 0.0;
   for (std::size_t i = 0; i < once.omega.size(); ++i) {
     if (once.omega[i] < 0.8 * once.resolvedOmega) continue;

@@ -39,11 +39,11 @@ void coefficients(const std::string& database, const SpeedOptions& moving, const
            computed ? Slopes{&addedMassX, &dampingX} : Slopes{nullptr, nullptr});
   };
   naming(database, [&] {
-    add(0.0, c.addedMassXZero, zero);
+    add(0.0, c.addedMassX.atZero, zero);
     for (std::size_t i = 0; i < c.omega.size(); ++i) {
       add(c.omega[i], computed ? c.addedMassX[i] : zero, computed ? c.dampingX[i] : zero);
     }
-    add(std::numeric_limits<double>::infinity(), c.addedMassXInf, zero);
+    add(std::numeric_limits<double>::infinity(), c.addedMassX.atInfinity, zero);
   });
   csv.write(out);
 }

@@ -57,8 +57,8 @@ void listShip(Csv& csv, const ShipParticulars& ship) {
 // Largest distance of A(∞) of the ω = ∞ problem itself from the one in use, in % of √(A_jj A_kk).
 double infinityDifference(const Coefficients& c) {
   if (!c.hasConsistentLimit()) return 0.0;
-  const Vec6 size = c.addedMassInf.diagonal().cwiseSqrt();
-  const Mat6 difference = c.addedMassInfDirect - c.addedMassInf;
+  const Vec6 size = c.addedMass.atInfinity.diagonal().cwiseSqrt();
+  const Mat6 difference = c.addedMassInfDirect - c.addedMass.atInfinity;
   return 100.0 * difference.cwiseQuotient(size * size.transpose()).cwiseAbs().maxCoeff();
 }
 
@@ -101,7 +101,7 @@ std::string setting(const Coefficients& c, const std::string& key) {
 
 // As the solver found it, if the file tells; the matrices themselves are symmetrised in ours.
 double solversAsymmetry(const Coefficients& c, const std::string& name,
-                        const std::vector<Mat6>& table) {
+                        const OverFrequency<Mat6>& table) {
   const std::string told = setting(c, name + "_asymmetry");
   return 100.0 * (told.empty() ? asymmetry(table) : std::strtod(told.c_str(), nullptr));
 }

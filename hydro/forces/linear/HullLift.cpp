@@ -6,8 +6,8 @@
 namespace cutwater {
 
 HullLift::HullLift(const Coefficients& coefficients, double length) {
-  const Mat6& A = coefficients.addedMassZero.isZero(0.0) ? coefficients.addedMassInf
-                                                         : coefficients.addedMassZero;
+  const Mat6& A = coefficients.addedMass.atZero.isZero(0.0) ? coefficients.addedMass.atInfinity
+                                                            : coefficients.addedMass.atZero;
   const double mass = coefficients.ship.mass, added = std::max(A(Sway, Sway), 0.0);
   side_ = 2.0 * (mass + added) / length;
   turn_ = side_ > 0.0 ? 2.0 * mass * added / side_ : 0.0;

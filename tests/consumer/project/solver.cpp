@@ -27,7 +27,8 @@ int main(int argc, char** argv) try {
   settings.headings = {cutwater::kPi};
   const cutwater::Coefficients made = cutwater::buildCoefficients(ship, settings);
   cutwater::writeCoefficients(made, argv[1]);
-  std::printf("A33(inf) = %.3f of the displaced mass\n", made.addedMassInf(2, 2) / ship.mass);
+  std::printf("A33(inf) = %.3f of the displaced mass\n",
+              made.addedMass.atInfinity(2, 2) / ship.mass);
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

@@ -42,7 +42,7 @@ void dump(const Coefficients& c, const ImpulseResponse& retardation, const std::
     to.row("cb", 0, i, 0, c.ship.centreOfBuoyancy(i));
   }
   to.rows("C", 0, c.ship.restoring);
-  to.rows("Ainf", 0, c.addedMassInf);
+  to.rows("Ainf", 0, c.addedMass.atInfinity);
   for (std::size_t i = 0; i < c.omega.size(); ++i) {
     to.row("omega", i, 0, 0, c.omega[i]);
     to.rows("A", i, c.addedMass[i]);

@@ -1,4 +1,4 @@
-#include "hydro/database/Coefficients.h"
+#include "hydro/ship/ShipParticulars.h"
 
 namespace cutwater {
 
