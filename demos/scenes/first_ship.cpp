@@ -1,0 +1,19 @@
+// The program of the README: run it where frigate.h5 is.
+// Look for: the height of the centre of gravity after a minute; at rest it is 1.29 m above calm water.
+#include <iostream>
+
+#include "hydro/forces/Hydrodynamics.h"
+#include "plugin/Seaway.h"
+
+int main() {
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher(&configuration);
+  btDbvtBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
+  world.setGravity({0, 0, btScalar(-9.80665)});
+  cutwater::Seaway seaway(world, cutwater::SeaState({{.omega = 0.8, .amplitude = 1.0}}, 9.80665));
+  cutwater::Ship& ship = seaway.addShip(cutwater::readHydrodynamics("frigate.h5"));
+  for (int frame = 0; frame < 60 * 60; ++frame) world.stepSimulation(btScalar(1) / 60);
+  std::cout << "height of the centre of gravity: " << ship.position().z() << " m\n";
+}
