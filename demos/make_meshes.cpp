@@ -1,6 +1,6 @@
 // The hull files under meshes/, made from their formulas, S-175's from its offsets in that folder:
-// `make_meshes FOLDER` writes them anew. Their wet faces are the solver's panels (panels = "as-is"); the whole is closed, for buoyancy and
-// collision.
+// `make_meshes FOLDER` writes them anew. Their wet faces are the solver's panels (panels =
+// "as-is"); the whole is closed, for buoyancy and collision.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -38,7 +38,8 @@ SurfaceMesh sphereOfEqualVolume(double radius, int around, int down) {
   return mesh;
 }
 
-/// The table of offsets beside the mesh: x aft of midships, half breadth, height above the baseline.
+/// The table of offsets beside the mesh: x aft of midships, half breadth, height above the
+/// baseline.
 std::vector<Vec3> offsets(const fs::path& file, double draught) {
   std::ifstream in(file);
   std::vector<Vec3> points;

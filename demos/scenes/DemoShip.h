@@ -51,11 +51,14 @@ inline bool isBelow(const char* what, double value, double bound) {
   return good;
 }
 
-/// main() of a demo, NAME DATABASE.h5 [OUT.csv]: run(coefficients, table) tells whether physics held.
+/// main() of a demo, NAME DATABASE.h5 [OUT.csv]: run(coefficients, table) says whether physics
+/// held.
 template <class Run>
 int demoMain(int argc, char** argv, const std::string& name, const char* header, Run run) {
-  if (argc < 2)
-    return std::printf("usage: %s DATABASE.h5 [%s.csv]\n", name.c_str(), name.c_str()), 2;
+  if (argc < 2) {
+    std::printf("usage: %s DATABASE.h5 [%s.csv]\n", name.c_str(), name.c_str());
+    return 2;
+  }
   try {
     DemoTable table(header);
     const bool good = run(readCoefficients(argv[1]), table);
@@ -71,8 +74,8 @@ inline Mat3 aboutZ(double angle) {
   return Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
 }
 
-/// Heave, roll and pitch at rest of a ship that carries `mass` [kg] at a place about G [m] that moves with
-/// her: C η = r × W, the weight's height above G lessening C44 and C55 by W z.
+/// Heave, roll and pitch at rest of a ship that carries `mass` [kg] at a place about G [m] fixed to
+/// the ship: C η = r × W. The weight's height above G lessens C44 and C55 by W z.
 inline Vec6 carrying(const ShipParticulars& ship, double mass, const Vec3& place) {
   const double weight = mass * ship.gravity;
   Mat3 stiffness = ship.restoring.block<3, 3>(Heave, Heave);

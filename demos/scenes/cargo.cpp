@@ -1,6 +1,7 @@
-// Boxes stand on deck by friction alone, in calm water and in a beam sea that grows: cargo DATABASE.h5 [OUT.csv]
-// Look for: the ship carries their weight (draught and heel); in the sea the box with friction 0.1 stands until
-// the deck feels inclined by atan 0.1 = 5.7 degrees, then slides to and fro; that with 0.5 stays.
+// Boxes stand on deck by friction alone: cargo DATABASE.h5 [OUT.csv]
+// Look for: in calm water the ship carries their weight (draught and heel). In a beam sea that
+// grows, the box with friction 0.1 stands until the deck feels inclined by atan 0.1 = 5.7 degrees,
+// then slides to and fro; the box with 0.5 stays.
 #include <algorithm>
 #include <deque>
 
@@ -17,7 +18,7 @@ struct Scene {
   Scene(const Coefficients& frigate, const SeaState& sea, double side)
       : bullet(frigate.ship.gravity), seaway(bullet.world, sea) {
     bullet.world.getSolverInfo().m_numIterations = 50;
-    // Boxes that do not overlap the deck a little keep contact normals of before she rolled.
+    // Boxes that do not overlap the deck a little keep their contact normals while the ship rolls.
     bullet.world.getSolverInfo().m_linearSlop = btScalar(0.002);
     bullet.world.getSolverInfo().m_solverMode |=
         SOLVER_USE_2_FRICTION_DIRECTIONS | SOLVER_DISABLE_VELOCITY_DEPENDENT_FRICTION_DIRECTION;
@@ -65,7 +66,7 @@ struct Scene {
   std::deque<btRigidBody> boxes;
 };
 
-// Both on the port side: she sinks and heels by their weight.
+// Both on the port side: the ship sinks and heels by their weight.
 bool inCalmWater(const Coefficients& frigate) {
   Scene scene(frigate, SeaState(), 4.0);
   const Vec6 expected = scene.ship->motion();

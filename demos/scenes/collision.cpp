@@ -1,6 +1,6 @@
-// A ship at 2 m/s runs into the side of another that lies across her way: collision DATABASE.h5 [OUT.csv]
-// Look for: momentum (M + A∞)v passes from one to the other, the water's share with it, and energy only falls;
-// the solver's iterations (5 to 100) change nothing but the first digits of what is lost.
+// A ship at 2 m/s runs into the side of another: collision DATABASE.h5 [OUT.csv]
+// Look for: momentum (M + A∞)v passes from one to the other, with the water's share, and energy
+// only falls. The solver's iterations (5 to 100) change only the first digits of what is lost.
 #include <algorithm>
 
 #include "demos/scenes/DemoShip.h"
@@ -34,7 +34,7 @@ Result collide(const std::shared_ptr<const Hydrodynamics>& frigate, int iteratio
   bullet.world.getSolverInfo().m_numIterations = iterations;
   Seaway calm(bullet.world);
   ShipSettings settings;
-  settings.start.x = -78.0;  // her bow 1.8 m off the other's side
+  settings.start.x = -78.0;  // the bow 1.8 m off the other's side
   settings.start.velocity[Surge] = kSpeed;
   Ship& runs = calm.addShip(frigate, settings);
   settings = {};

@@ -1,6 +1,6 @@
-// A load of 20 t hangs on a rope of 10 m from a boom over the side and swings: crane DATABASE.h5 [OUT.csv]
-// Look for: the ship rolls about the angle at which C44 carries the load's weight on its arm; the load swings
-// with the period of its rope; the energy of ship, water and load only falls.
+// A load of 20 t swings on a rope of 10 m from a boom over the side: crane DATABASE.h5 [OUT.csv]
+// Look for: the ship rolls about the angle at which C44 carries the load's weight on its arm. The
+// load swings with the period of its rope. The energy of ship, water and load only falls.
 #include <algorithm>
 
 #include "demos/scenes/DemoShip.h"
@@ -13,8 +13,8 @@ constexpr double kTick = 1.0 / 64.0, kMass = 20e3, kInertia = 8e3, kRope = 10.0,
                  kDegree = kPi / 180.0;
 const Vec3 kBoom(-9.0, 12.0, 14.0);  // its head, about G [m]
 
-// Of the swinging load: T = (weight / rope) (y_load - y_head), and y_head = g(ω) T as the ship recoils,
-// y_load = T/(mω²), hence 1/ω² = rope/weight·m + m g(ω).
+// Of the swinging load: T = (weight / rope) (y_load - y_head), and y_head = g(ω) T as the ship
+// recoils, y_load = T/(mω²), hence 1/ω² = rope/weight·m + m g(ω).
 double period(const Coefficients& frigate) {
   Vec6 athwart;
   athwart << 0.0, 1.0, 0.0, -kBoom.z(), 0.0, kBoom.x();

@@ -1,5 +1,6 @@
 // The program of the README: run it where frigate.h5 is.
-// Look for: the height of the centre of gravity after a minute; at rest it is 1.29 m above calm water.
+// Look for: the height of the centre of gravity after a minute; at rest it is 1.29 m above calm
+// water.
 #include <iostream>
 
 #include "hydro/forces/Hydrodynamics.h"

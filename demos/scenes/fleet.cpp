@@ -1,6 +1,6 @@
-// A thousand frigates on eight courses in one irregular sea, from one database: fleet DATABASE.h5 [OUT.csv]
-// Look for: the real-time factor that is printed; ships of one course differ only by where the waves meet
-// them; the same bits whether one thread evaluates their loads or two.
+// A thousand frigates on eight courses in one irregular sea: fleet DATABASE.h5 [OUT.csv]
+// Look for: the real-time factor that is printed. Ships of one course differ only by where the
+// waves meet them. One thread or two evaluate their loads to the same bits.
 #include <algorithm>
 #include <chrono>
 #include <cstring>

@@ -1,6 +1,7 @@
-// The ship at 20 knots in a sea from astern that she overtakes: following_seas DATABASE.h5 [OUT.csv]
-// Look for: crests pass from bow to stern (wave_bow leads wave_stern) though they travel her way: the
-// encounter frequency is negative, here that of her roll; heave and roll settle to the frequency domain.
+// The ship at 20 knots overtakes a sea from astern: following_seas DATABASE.h5 [OUT.csv]
+// Look for: crests pass from bow to stern (wave_bow leads wave_stern) though they travel the ship's
+// way, because the encounter frequency is negative, here that of roll. Heave and roll settle to the
+// frequency domain.
 #include "demos/scenes/DemoShip.h"
 #include "hydro/response/FrequencyResponse.h"
 
@@ -8,7 +9,7 @@ using namespace cutwater;
 
 static bool run(const Coefficients& frigate, DemoTable& table) {
   const double speed = 10.29, heading = kPi / 6.0, amplitude = 0.5, tick = 0.02;
-  const double omega = 1.46;  // [rad/s]: 29 m long and slower than she
+  const double omega = 1.46;  // [rad/s]: 29 m long and slower than the ship
   const double waveNumber = omega * omega / frigate.ship.gravity;
   const double omegaE = omega - waveNumber * speed * std::cos(heading);
   BulletWorld bullet(frigate.ship.gravity);

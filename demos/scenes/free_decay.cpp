@@ -9,7 +9,10 @@
 
 int main(int argc, char** argv) try {
   using namespace cutwater;
-  if (argc < 2) return std::puts("usage: free_decay DATABASE.h5 [OUT.csv]"), 2;
+  if (argc < 2) {
+    std::puts("usage: free_decay DATABASE.h5 [OUT.csv]");
+    return 2;
+  }
   const Coefficients sphere = readCoefficients(argv[1]);
   BulletWorld bullet(sphere.ship.gravity);
   Seaway calm(bullet.world);

@@ -12,7 +12,10 @@
 
 int main(int argc, char** argv) try {
   using namespace cutwater;
-  if (argc < 2) return std::puts("usage: head_seas DATABASE.h5 [OUT.csv]"), 2;
+  if (argc < 2) {
+    std::puts("usage: head_seas DATABASE.h5 [OUT.csv]");
+    return 2;
+  }
   const double omega = 0.7, amplitude = 0.5, tick = 0.02;
   const Coefficients frigate = readCoefficients(argv[1]);
   BulletWorld bullet(frigate.ship.gravity);

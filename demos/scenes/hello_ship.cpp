@@ -1,5 +1,5 @@
 // A ship in a plain Bullet scene: hello_ship DATABASE.h5 [OUT.csv]
-// Look for: she rolls and heaves in the beam sea for a minute and stays about where she is.
+// Look for: it rolls and heaves in the beam sea for a minute and stays about where it is.
 #include <btBulletDynamicsCommon.h>
 
 #include <cstdio>
@@ -9,7 +9,10 @@
 #include "plugin/Seaway.h"
 
 int main(int argc, char** argv) try {
-  if (argc < 2) return std::puts("usage: hello_ship DATABASE.h5 [OUT.csv]"), 2;
+  if (argc < 2) {
+    std::puts("usage: hello_ship DATABASE.h5 [OUT.csv]");
+    return 2;
+  }
 
   // A Bullet world as in every Bullet program, z up.
   btDefaultCollisionConfiguration configuration;
@@ -27,7 +30,10 @@ int main(int argc, char** argv) try {
   cutwater::Ship& ship = seaway.addShip(frigate);
 
   std::FILE* csv = argc > 2 ? std::fopen(argv[2], "w") : stdout;
-  if (csv == nullptr) return std::perror(argv[2]), 1;
+  if (csv == nullptr) {
+    std::perror(argv[2]);
+    return 1;
+  }
   std::fprintf(csv, "t,x,y,z,roll_deg,pitch_deg,yaw_deg,wave\n");
   for (int frame = 0; frame <= 60 * 60; ++frame) {
     const cutwater::Vec3 p = ship.position(), a = ship.attitude() * 180.0 / cutwater::kPi;

@@ -11,7 +11,10 @@
 
 int main(int argc, char** argv) try {
   using namespace cutwater;
-  if (argc < 2) return std::puts("usage: irregular_sea DATABASE.h5 [OUT.csv]"), 2;
+  if (argc < 2) {
+    std::puts("usage: irregular_sea DATABASE.h5 [OUT.csv]");
+    return 2;
+  }
   const Coefficients frigate = readCoefficients(argv[1]);
   Spectrum spectrum;
   spectrum.gravity = frigate.ship.gravity;

@@ -1,6 +1,7 @@
 // A ship drifts at 0.3 m/s sideways onto the two fenders of a quay: quay DATABASE.h5 [OUT.csv]
-// Look for: the blow is that of (m + A22)v, a third more than the ship's own mv, and what the fenders take in
-// all is her momentum with the water's; she drifts off at a tenth of her speed and energy never rises.
+// Look for: the blow is that of (m + A22)v, a third more than the ship's own mv. What the fenders
+// take in all is the momentum of ship and water. The ship drifts off at a tenth of its speed, and
+// energy never rises.
 #include <algorithm>
 
 #include "demos/scenes/DemoShip.h"
@@ -38,7 +39,7 @@ bool run(const Coefficients& database, DemoTable& table) {
   Ship& ship = calm.addShip(frigate, settings);
   ship.body().setFriction(0);
 
-  // Fenders at the height of G, half a metre off her side.
+  // Fenders at the height of G, half a metre off the ship's side.
   btSphereShape round(1);
   btRigidBody fore(0, nullptr, &round), aft(0, nullptr, &round);
   for (btRigidBody* fender : {&fore, &aft}) {
@@ -66,14 +67,14 @@ bool run(const Coefficients& database, DemoTable& table) {
                  -ship.momentum()[Sway] / own, ship.energy() / energyAtFirst});
     }
   }
-  // She also rolls a little, so that a blow at G moves not quite m + A22.
+  // The ship also rolls a little, so that a blow at G moves not quite m + A22.
   const Eigen::Matrix<double, 5, 5> inverse =
       (frigate.ship.massMatrix() + frigate.addedMass.atInfinity).topLeftCorner<5, 5>().inverse();
   bool good = calm.faults() == kStepOk;
   good &= agrees("blow / m v", blow / mass / before, 1.0 / inverse(Sway, Sway) / mass, 0.02);
   good &= isBelow("momentum lost between ship, water and fenders", off, 1e-4);
   good &= isBelow("energy at most, of that at first", most, 1.0);
-  good &= isBelow("she leaves at, of her speed", ship.velocity()[Sway] / kSpeed, 0.1);
+  good &= isBelow("speed when it leaves, of that before", ship.velocity()[Sway] / kSpeed, 0.1);
   return good;
 }
 

@@ -1,6 +1,7 @@
-// A tug pulls a ship off sideways by a line of eight links, 300 kN at the tug: tow DATABASE.h5 [OUT.csv]
-// Look for: the pull is m + A22(inf) times her acceleration at first, m + A22(0) once the water is set in motion,
-// never m alone; what tug, links, ship and water have taken up is the impulse given, at enough iterations.
+// A tug pulls a ship off sideways by a line of eight links: tow DATABASE.h5 [OUT.csv]
+// Look for: the pull over the ship's acceleration is m + A22(inf) at first, m + A22(0) once the
+// water moves, never m alone. Tug, links, ship and water have taken up the impulse given, at enough
+// iterations. The tug pulls with 300 kN.
 #include <algorithm>
 #include <deque>
 

@@ -1,6 +1,7 @@
-// A free ship turns by 90 degrees, in calm water and in a head sea, then coasts: turning DATABASE.h5 [OUT.csv]
-// Look for: she slows and heels in the turn and settles on the new heading and speed; no force jumps from tick
-// to tick. Left alone while yawing (run 2) the lift of her hull steadies her, and her energy only falls.
+// A free ship turns by 90 degrees in calm water and in a head sea: turning DATABASE.h5 [OUT.csv]
+// Look for: it slows and heels in the turn and settles on the new heading and speed; no force jumps
+// from tick to tick. Left alone while yawing (run 2), it coasts; the lift of the hull steadies it,
+// and its energy only falls.
 #include <algorithm>
 
 #include "demos/scenes/DemoShip.h"
@@ -64,7 +65,7 @@ bool turn(int run, const Coefficients& frigate, const SeaState& sea, double jump
   return good;
 }
 
-// Munk's moment would turn her; the lift of the hull holds against it.
+// Munk's moment would turn the ship; the lift of the hull holds against it.
 bool coast(const Coefficients& frigate, DemoTable& table) {
   BulletWorld bullet(frigate.ship.gravity);
   Seaway seaway(bullet.world);

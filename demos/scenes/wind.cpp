@@ -1,6 +1,6 @@
 // A load of your own on a ship, here the wind on its superstructure: wind DATABASE.h5 [OUT.csv]
-// Look for: moored abeam to a wind of 20 m/s the ship rolls about the heel at which C44 times the angle is
-// the moment of the wind, and ends there.
+// Look for: moored abeam to a wind of 20 m/s the ship rolls about the heel at which C44 times the
+// angle is the moment of the wind, and ends there.
 #include "demos/scenes/DemoShip.h"
 
 using namespace cutwater;
