@@ -1,4 +1,7 @@
-"""command_test.py COMMAND DATABASE MESHES: the contract that others script against: columns, conventions, exit codes."""
+"""command_test.py COMMAND DATABASE MESHES: the contract that others script against.
+
+Columns, conventions, exit codes.
+"""
 import csv
 import io
 import math
@@ -62,9 +65,10 @@ class Files(unittest.TestCase):
 
 class Tables(Files):
     def test_hydrostatics_names(self):
-        values = {row["name"]: float(row["value"]) for row in table("hydrostatics", self.path("s.toml", SHIP))}
-        for name in ("volume displacement wetted_area waterplane_area lcb lcf kb C33 C35 C44 C55 bm_t bm_l gm_t gm_l "
-                     "draft length beam").split():
+        rows = table("hydrostatics", self.path("s.toml", SHIP))
+        values = {row["name"]: float(row["value"]) for row in rows}
+        for name in ("volume displacement wetted_area waterplane_area lcb lcf kb C33 C35 C44 C55 "
+                     "bm_t bm_l gm_t gm_l draft length beam").split():
             self.assertIn(name, values)
         # Inscribed 224 panels: within 0.3 % of the recipe's volume of that mesh.
         self.assertAlmostEqual(values["volume"] / 4458.2, 1, delta=0.003)
@@ -81,7 +85,8 @@ class Tables(Files):
         rows = table("excitation", DATABASE, "--heading", "90", "--omega", "0.1:0.1:1")
         self.assertEqual(list(rows[0]), "omega omega_e j fk_re fk_im diff_re diff_im".split())
         heave = complex(float(rows[2]["fk_re"]), float(rows[2]["fk_im"]))
-        c33 = 1025 * 9.80665 * 1372.0  # waterplane of the coarse mesh to 1 %; e^{-kT} of this wave: 0.5 %
+        # Waterplane of the coarse mesh to 1 %; e^{-kT} of this wave: 0.5 %.
+        c33 = 1025 * 9.80665 * 1372.0
         self.assertAlmostEqual(abs(heave) / c33, 1, delta=0.02)
 
     def test_rao_of_long_waves_follows_the_surface(self):
@@ -109,7 +114,8 @@ class Tables(Files):
         short = table("retardation", DATABASE, "--dt", "0.3", "--duration", "1.1")
         self.assertAlmostEqual(float(short[-1]["tau"]), 0.9)
         whole = 0.1 * (sum(k33) - 0.5 * (k33[0] + k33[-1]))
-        self.assertLess(abs(whole), 0.01 * 0.1 * sum(map(abs, k33)))  # 0.5 % and as much for the trapezoid
+        # 0.5 % and as much for the trapezoid.
+        self.assertLess(abs(whole), 0.01 * 0.1 * sum(map(abs, k33)))
 
     def test_info_says_what_is_in_the_file(self):
         names = {row["name"]: row["value"] for row in table("info", DATABASE)}
@@ -121,29 +127,32 @@ class Tables(Files):
         run = self.path("run.toml", RUN)
         rows = table("simulate", run, "--forces")
         expected = "t x y z roll_deg pitch_deg yaw_deg u v w p q r wave".split()
-        for part in ("gravity restoring froude_krylov diffraction radiation added_mass supplementary "
-                     "autopilots").split():
+        for part in ("gravity restoring froude_krylov diffraction radiation added_mass "
+                     "supplementary autopilots").split():
             expected += [f"{part}_F{i}" for i in range(1, 7)]
         self.assertEqual(list(rows[0]), expected)
         self.assertEqual(len(rows), 201)
         self.assertAlmostEqual(float(rows[0]["z"]), 1.29, delta=1e-9)
         self.assertAlmostEqual(float(rows[-1]["t"]), 4.0, delta=1e-9)
-        self.assertAlmostEqual(float(rows[-1]["wave"]), math.cos(0.8 * 4.0), delta=0.01)  # ship near the origin
+        # The ship is near the origin.
+        self.assertAlmostEqual(float(rows[-1]["wave"]), math.cos(0.8 * 4.0), delta=0.01)
 
     def test_single_precision_follows_double(self):
         double = table("simulate", self.path("d.toml", RUN))
-        single = table("simulate", self.path("s.toml", RUN.replace("[waves]", "double = false\n[waves]")))
+        run = self.path("s.toml", RUN.replace("[waves]", "double = false\n[waves]"))
+        single = table("simulate", run)
         self.assertNotEqual(double, single)  # chance may give one number the same nine digits
         self.assertAlmostEqual(float(double[-1]["z"]), float(single[-1]["z"]), delta=1e-4)
 
     def test_waves_shorter_than_the_panels_resolve_are_warned_of_once(self):
-        resolved = next(float(row["value"]) for row in table("info", DATABASE) if row["name"] == "omega_resolved")
+        resolved = next(float(row["value"]) for row in table("info", DATABASE)
+                        if row["name"] == "omega_resolved")
         self.assertLess(resolved, 5)
         words = f"frigate.h5: panels resolve waves up to {resolved:.2f} rad/s"
         for omega, warnings in ((resolved - 0.1, 0), (resolved + 0.1, 1)):
             run = self.path("run.toml", RUN.replace("0.8", str(omega)))
-            for arguments in (["excitation", DATABASE, "--heading", "180", "--omega", f"0.5:{omega}:5"],
-                              ["rao", DATABASE, "--heading", "180", "--omega", f"0.5:{omega}:5"],
+            waves = ["--heading", "180", "--omega", f"0.5:{omega}:5"]
+            for arguments in (["excitation", DATABASE, *waves], ["rao", DATABASE, *waves],
                               ["simulate", run], ["sweep", run.replace("run.toml", "sweep.toml")]):
                 self.path("sweep.toml", RUN.replace("0.8", f"[{omega}]").replace("4.0", "20.0"))
                 done = call(*arguments)
@@ -201,10 +210,12 @@ class ForwardSpeed(Files):
         names = {row["name"]: row["value"] for row in table("info", DATABASE)}
         self.assertEqual(names["forward_speed"], "report")
         if names["adjoint_vectors_dx"] == "1":
-            rows = table("rao", DATABASE, "--speed", "8", "--heading", "180", "--omega", "0.2:0.3:2")
+            rows = table("rao", DATABASE, "--speed", "8", "--heading", "180", "--omega",
+                         "0.2:0.3:2")
             self.assertAlmostEqual(float(rows[2]["amplitude"]), 1, delta=0.1)
         else:
-            self.refused(["rao", DATABASE, "--speed", "8", "--heading", "180"], "frigate.h5", "speed = 8")
+            self.refused(["rao", DATABASE, "--speed", "8", "--heading", "180"], "frigate.h5",
+                         "speed = 8")
 
     def test_a_table_of_one_form_is_not_read_as_the_other(self):
         ship = self.path("s.toml", SHIP + """[solve]
@@ -258,9 +269,10 @@ class Interruption(Files):
         ship, database = self.path("s.toml", self.SOLVE), self.path("s.h5")
         for end in (signal.SIGKILL, signal.SIGINT):
             running = self.start(ship, database)
-            before = os.path.getsize(database + ".sweep") if os.path.exists(database + ".sweep") else 0
-            while running.poll() is None and not (os.path.exists(database + ".sweep") and
-                                                  os.path.getsize(database + ".sweep") > max(before, 1000)):
+            journal = database + ".sweep"
+            before = os.path.getsize(journal) if os.path.exists(journal) else 0
+            while running.poll() is None and not (
+                    os.path.exists(journal) and os.path.getsize(journal) > max(before, 1000)):
                 time.sleep(0.01)
             running.send_signal(end)
             message = running.communicate()[1]
@@ -301,7 +313,8 @@ condition_limit_even = [[1.1, 1e12], [1.19, 1.0], [1.21, 1.0], [1.3, 1e12]]
         self.refused(["solve", nothing, "-o", self.path("n.h5")], "n.toml", "0 of 2")
 
     def test_a_limit_of_odd_modes_needs_symmetry(self):
-        ship = self.path("w.toml", SHIP.replace("[mass]", "symmetric = \"none\"\n[mass]") + """[solve]
+        whole = SHIP.replace("[mass]", "symmetric = \"none\"\n[mass]")
+        ship = self.path("w.toml", whole + """[solve]
 omega = [0.5, 1.0]
 lid = false
 condition_limit_odd = [[1.0, 1e12]]
@@ -332,21 +345,25 @@ class Panels(Files):
         self.assertEqual(said.count("\n"), 1)  # a sound hull: nothing repaired
         ship = self.path("s.toml", SHIP.replace(f"{MESHES}/frigate/frigate_224.obj", out))
         values = {row["name"]: float(row["value"]) for row in table("hydrostatics", ship)}
-        # Rows and stations are whole numbers; the volume is that of so many inscribed panels, 1.5 %.
+        # Rows and stations are whole numbers; the volume is that of so many inscribed panels: 1.5 %
+        # off.
         self.assertAlmostEqual(values["panels"] / 224, 1, delta=0.06)
         self.assertEqual(values["symmetric"], 1)
         self.assertAlmostEqual(values["volume"] / 4509.0, 1, delta=0.015)
 
     def test_a_count_in_the_ship_file_is_the_same(self):
         self.panelled(224)
-        ship = self.path("s.toml", SHIP.replace("frigate_224.obj\"", "frigate_1040.obj\"\npanels = 224"))
+        ship = self.path("s.toml", SHIP.replace("frigate_224.obj\"",
+                                                "frigate_1040.obj\"\npanels = 224"))
         values = {row["name"]: float(row["value"]) for row in table("hydrostatics", ship)}
         out = self.path("q.obj")
         self.assertEqual(call("panel", ship, "-n", "224", "-o", out).returncode, 0)
-        faces = [line for line in read(out).splitlines() if line.startswith("f")]
-        self.assertEqual(faces, [line for line in read(self.path("p.obj")).splitlines() if line.startswith("f")])
+        faces, others = ([line for line in read(path).splitlines() if line.startswith("f")]
+                         for path in (out, self.path("p.obj")))
+        self.assertEqual(faces, others)
         self.assertEqual(values["panels"], len(faces) / 2)
-        solve = self.path("t.toml", read(ship) + "[solve]\nomega = [0.5, 1.0]\nwave_omega = 0.5\nlid = false\n")
+        solve = self.path("t.toml", read(ship) + "[solve]\nomega = [0.5, 1.0]\nwave_omega = 0.5\n"
+                          "lid = false\n")
         done = call("solve", solve, "-o", self.path("t.h5"))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn(f"{len(faces) // 2} panels a side", done.stderr)
@@ -360,34 +377,41 @@ class Panels(Files):
         out = self.path("p.obj")
         self.refused(["panel", hull, "-n", "224", "-o", out], "hull.obj", "hole", "m wide", "at (")
         self.refused(["panel", self.path("none.obj"), "-n", "224", "-o", out], "none.obj")
-        self.refused(["panel", self.FRIGATE, "-n", "224", "-o", self.FRIGATE], "is the file that is read")
-        self.refused(["panel", self.FRIGATE, "--up", "y", "--forward", "-y", "-n", "224", "-o", out], "forward", "up")
+        self.refused(["panel", self.FRIGATE, "-n", "224", "-o", self.FRIGATE],
+                     "is the file that is read")
+        axes = ["--up", "y", "--forward", "-y"]
+        self.refused(["panel", self.FRIGATE, *axes, "-n", "224", "-o", out], "forward", "up")
         self.assertFalse(os.path.exists(out))
         for bad in ("5", "-3", "1e9", "many"):
             self.assertEqual(call("panel", self.FRIGATE, "-n", bad, "-o", out).returncode, 2)
         for bad in ("3", "0.5", "-7", "1000000"):
             text = SHIP.replace("frigate_224.obj\"", f"frigate_224.obj\"\npanels = {bad}")
-            self.refused(["hydrostatics", self.path("s.toml", text)], "s.toml", "[hull] panels", bad)
+            self.refused(["hydrostatics", self.path("s.toml", text)], "s.toml", "[hull] panels",
+                         bad)
 
 
 class Errors(Files):
     def test_usage_exits_two(self):
-        for arguments in ([], ["nonsense"], ["solve"], ["rao", DATABASE], ["sweep", "--threads", "-3", "x"],
-                          ["sweep", "--threads", "x", "x"], ["rao", DATABASE, "--heading", "north"],
+        for arguments in ([], ["nonsense"], ["solve"], ["rao", DATABASE],
+                          ["sweep", "--threads", "-3", "x"], ["sweep", "--threads", "x", "x"],
+                          ["rao", DATABASE, "--heading", "north"],
                           ["coefficients", DATABASE, "--form", "strip"]):
             self.assertEqual(call(*arguments).returncode, 2, arguments)
 
     def test_help_and_version_exit_zero(self):
         self.assertEqual(call("--version").returncode, 0)
-        for name in "hydrostatics panel solve info coefficients excitation rao retardation simulate sweep".split():
+        for name in ("hydrostatics panel solve info coefficients excitation rao retardation "
+                     "simulate sweep").split():
             done = call(name, "--help")
             self.assertEqual(done.returncode, 0)
             self.assertIn("Example", done.stdout)
 
     def test_unknown_keys_are_named(self):
-        self.refused(["hydrostatics", self.path("a.toml", SHIP + "gyradius = 3\n")], "a.toml", "[mass] gyradius", "3")
-        self.refused(["hydrostatics", self.path("b.toml", SHIP + "[solver]\nx = 1\n")], "b.toml", "solver")
-        self.refused(["simulate", self.path("c.toml", RUN + "[motion]\nspeeed = 3\n")], "c.toml", "speeed")
+        for command, name, text, *words in (
+                ("hydrostatics", "a.toml", SHIP + "gyradius = 3\n", "[mass] gyradius", "3"),
+                ("hydrostatics", "b.toml", SHIP + "[solver]\nx = 1\n", "solver"),
+                ("simulate", "c.toml", RUN + "[motion]\nspeeed = 3\n", "speeed")):
+            self.refused([command, self.path(name, text)], name, *words)
 
     def test_bad_values_are_named(self):
         for text, words in (
@@ -398,7 +422,8 @@ class Errors(Files):
             (SHIP + "[solve]\nomega = [0.2, 0.1]\n", ["[solve] omega = [0.2, 0.1]: ", "increase"]),
             (SHIP + "[solve]\nomega = { from = 0.2, to = 0.1, step = 0.1 }\n", ["step = 0.1: "]),
             (SHIP + "[solve]\nomega = [0.8]\n", ["s.toml", "[solve] omega", "0.8", "at least 2"]),
-            (SHIP + "[solve]\nomega = [0.5, 1.5]\nwave_omega = [0.5, 1.75]\n", ["wave_omega", "1.75", "1.5"]),
+            (SHIP + "[solve]\nomega = [0.5, 1.5]\nwave_omega = [0.5, 1.75]\n",
+             ["wave_omega", "1.75", "1.5"]),
             (SHIP + "[solve]\nspeeds = [-5.0]\n", ["speeds", "-5"]),
             (SHIP + "[solve]\nsource_points = 3\n", ["source_points", "3", "auto"]),
             (SHIP + "[solve]\ngalerkin_points = \"auto\"\n", ["galerkin_points", "auto"]),
@@ -406,7 +431,8 @@ class Errors(Files):
             (SHIP + "[solve]\nderivatives = \"source\"\n", ["derivatives", "formulation"]),
             (SHIP + "[solve]\nforward_speed = \"strip\"\n", ["forward_speed", "strip", "tuck"]),
             (SHIP + "[solve]\ncondition_limit_odd = [1, 2]\n", ["condition_limit_odd", "pairs"]),
-            (SHIP + "[solve]\ncondition_limit_even = [[1, 9], [1, 9]]\n", ["condition_limit_even", "increase"]),
+            (SHIP + "[solve]\ncondition_limit_even = [[1, 9], [1, 9]]\n",
+             ["condition_limit_even", "increase"]),
             (SHIP.replace("[mass]", "unit = \"mile\"\n[mass]"), ["unit", "mile"]),
             (SHIP.replace("frigate_224.obj", "missing.obj"), ["missing.obj"]),
             ("[hull\n", ["line"]),
@@ -422,12 +448,14 @@ class Errors(Files):
             self.refused(["simulate", self.path("r.toml", text)], *words)
 
     def test_default_wave_frequencies_stay_within_omega(self):
-        for omega, expected in (("[0.5, 0.75, 1.0]", (11, 0.5, 1.0)), ("[3.0, 4.0]", (2, 3.0, 4.0))):
+        for omega, expected in (("[0.5, 0.75, 1.0]", (11, 0.5, 1.0)),
+                                ("[3.0, 4.0]", (2, 3.0, 4.0))):
             ship = self.path("s.toml", SHIP + f"[solve]\nomega = {omega}\nlid = false\n")
             database = self.path("s.h5")
             done = call("solve", ship, "-o", database)
             self.assertEqual(done.returncode, 0, done.stderr)
-            waves = sorted({float(row["omega"]) for row in table("excitation", database, "--heading", "180")})
+            rows = table("excitation", database, "--heading", "180")
+            waves = sorted({float(row["omega"]) for row in rows})
             self.assertEqual(len(waves), expected[0])
             self.assertAlmostEqual(waves[0], expected[1])
             self.assertAlmostEqual(waves[-1], expected[2])
@@ -444,14 +472,16 @@ class Errors(Files):
         self.refused(["info", self.path("text.h5", "hello")], "text.h5")
 
     def test_nothing_is_left_behind_where_one_may_not_write(self):
-        self.refused(["rao", DATABASE, "--heading", "0", "-o", self.path("no/such/folder.csv")], "folder.csv")
+        self.refused(["rao", DATABASE, "--heading", "0", "-o", self.path("no/such/folder.csv")],
+                     "folder.csv")
         ship = self.path("s.toml", SHIP)
         self.refused(["solve", ship, "-o", self.path("no/such.h5")], "such.h5")
         self.assertEqual(sorted(os.listdir(self.folder.name)), ["s.toml"])
 
     def test_bad_ranges_are_named(self):
         for bad in ("1", "1:2", "a:b:c", "2:1:5", "0:1:5", "0.1:1:0", "0.1:1:2.5"):
-            self.refused(["rao", DATABASE, "--heading", "0", "--omega", bad], "--omega", bad, code=2)
+            self.refused(["rao", DATABASE, "--heading", "0", "--omega", bad], "--omega", bad,
+                         code=2)
         self.refused(["rao", DATABASE, "--heading", "0", "--speed", "-3"], "speed", "-3", code=2)
         self.refused(["rao", DATABASE, "--heading", "800"], "--heading 800", code=2)
         self.refused(["coefficients", DATABASE, "--speed", "nan"], "speed", "nan", code=2)

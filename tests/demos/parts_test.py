@@ -1,4 +1,7 @@
-"""parts_test.py COMMAND DATABASE: the parts of the load as the command shows them: columns, lines, switches."""
+"""parts_test.py COMMAND DATABASE: the parts of the load as the command shows them.
+
+Columns, lines on stderr, switches.
+"""
 import csv
 import os
 import subprocess
@@ -7,8 +10,8 @@ import tempfile
 import unittest
 
 COMMAND, DATABASE = (os.path.abspath(a) for a in sys.argv[1:3])
-PARTS = ["gravity", "restoring", "froude_krylov", "diffraction", "radiation", "added_mass", "supplementary",
-         "autopilots"]
+PARTS = ["gravity", "restoring", "froude_krylov", "diffraction", "radiation", "added_mass",
+         "supplementary", "autopilots"]
 RUN = f"""database = "{DATABASE}"
 [bullet]
 duration = 20.0
@@ -25,8 +28,8 @@ class Parts(unittest.TestCase):
             path = os.path.join(folder, "run.toml")
             with open(path, "w", encoding="utf-8") as file:
                 file.write(RUN + "[motion]\n" + motion)
-            return subprocess.run([COMMAND, "simulate", path, *options], capture_output=True, text=True,
-                                  check=False)
+            return subprocess.run([COMMAND, "simulate", path, *options], capture_output=True,
+                                  text=True, check=False)
 
     def rows(self, done):
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -46,7 +49,8 @@ class Parts(unittest.TestCase):
         self.assertEqual([line.split(":")[0] for line in lines], PARTS)
         heave = sum(float(row["radiation_F3"]) for row in rows) / len(rows)
         radiation = lines[PARTS.index("radiation")]
-        self.assertAlmostEqual(float(radiation.split()[4].rstrip(",")), heave, delta=1e-4 * abs(heave))
+        printed = float(radiation.split()[4].rstrip(","))
+        self.assertAlmostEqual(printed, heave, delta=1e-4 * abs(heave))
         self.assertIn("ns a tick", radiation)
         self.assertNotIn("ns a tick", lines[0])  # gravity is Bullet's
         self.assertNotIn("mean", self.simulate().stderr)
@@ -59,9 +63,10 @@ class Parts(unittest.TestCase):
         self.assertNotEqual([row["z"] for row in with_all], [row["z"] for row in without])
 
     def test_a_part_that_there_is_not_is_refused_by_file_field_and_name(self):
-        for motion, words in (('without = ["sail"]\n', ["run.toml", "without", '"sail"', "radiation"]),
-                              ('without = ["gravity"]\n', ["run.toml", "without", "gravity"]),
-                              ('without = "radiation"\n', ["run.toml", "[motion] without", "list"])):
+        for motion, words in (
+                ('without = ["sail"]\n', ["run.toml", "without", '"sail"', "radiation"]),
+                ('without = ["gravity"]\n', ["run.toml", "without", "gravity"]),
+                ('without = "radiation"\n', ["run.toml", "[motion] without", "list"])):
             done = self.simulate(motion)
             self.assertEqual(done.returncode, 1)
             self.assertEqual(done.stdout, "")
