@@ -136,4 +136,25 @@ SurfaceMesh cutAbove(const SurfaceMesh& mesh, const Plane& plane, double toleran
   return cutBelow(mesh, {-plane.normal, -plane.offset}, tolerance);
 }
 
+SurfaceMesh withSplitWaterCorners(const SurfaceMesh& wet) {
+  SurfaceMesh out{wet.vertices, {}};
+  for (const Face& f : wet.faces) {
+    int below = -1, onWater = 0;
+    for (int i = 0; i < f.size(); ++i)
+      if (wet.corner(f, i).z() == 0.0)
+        ++onWater;
+      else
+        below = i;
+    if (onWater == f.size()) continue;
+    if (f.size() == 4 && onWater == 3) {
+      const auto at = [&](int i) { return f[(below + i) % 4]; };
+      out.faces.push_back({{at(0), at(1), at(2), -1}});
+      out.faces.push_back({{at(0), at(2), at(3), -1}});
+    } else {
+      out.faces.push_back(f);
+    }
+  }
+  return out;
+}
+
 }  // namespace cutwater

@@ -22,4 +22,9 @@ SurfaceMesh cutBelow(const SurfaceMesh& mesh, const Plane& plane = {}, double to
 /// The part above: cutBelow with the plane turned over.
 SurfaceMesh cutAbove(const SurfaceMesh& mesh, const Plane& plane = {}, double tolerance = -1.0);
 
+/// Faces that makePanels can lay: a quadrilateral with three corners on calm water, whose plane would
+/// be the waterplane, as two triangles from its fourth corner, each with an edge on calm water; none
+/// with all corners there.
+SurfaceMesh withSplitWaterCorners(const SurfaceMesh& wet);
+
 }  // namespace cutwater

@@ -16,6 +16,17 @@ endforeach()
 run(${CMAKE_COMMAND} -S ${PROJECT} -B ${WORK}/build -G Ninja -D CMAKE_PREFIX_PATH=${WORK}/prefix
     -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=Release)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
+# A game links neither Assimp nor LAPACK, by itself or through another library.
+foreach(precision float float64)
+  file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${WORK}/build/consumer_${precision}
+       RESOLVED_DEPENDENCIES_VAR needed UNRESOLVED_DEPENDENCIES_VAR missing)
+  if(NOT "${needed}" MATCHES "hdf5")
+    message(SEND_ERROR "cannot see what consumer_${precision} is linked to: ${needed} ${missing}")
+  endif()
+  if("${needed};${missing}" MATCHES "[^;]*(assimp|lapack|blas|gomp)[^;]*")
+    message(SEND_ERROR "consumer_${precision} is linked to ${CMAKE_MATCH_0}")
+  endif()
+endforeach()
 # That file alone makes a ship.
 run(${WORK}/build/consumer_solver ${WORK}/sphere.h5)
 foreach(precision float float64)

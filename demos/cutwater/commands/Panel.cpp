@@ -5,6 +5,7 @@
 #include "demos/cutwater/commands/Commands.h"
 #include "demos/cutwater/input/HullFile.h"
 #include "hydro/geometry/MeshIntegrals.h"
+#include "hydro/geometry/panelling/PanelQuality.h"
 #include "hydro/geometry/panelling/Panelling.h"
 
 namespace cutwater::command {

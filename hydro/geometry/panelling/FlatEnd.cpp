@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "hydro/geometry/panelling/FlatPolygon.h"
+#include "hydro/geometry/panelling/PanelQuality.h"
 #include "hydro/geometry/panelling/PanelRows.h"
-#include "hydro/geometry/panelling/Panelling.h"
 
 namespace cutwater {
 namespace {

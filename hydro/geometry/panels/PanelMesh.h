@@ -39,11 +39,6 @@ struct PanelMesh {
 /// @throws HydroError ValueOutOfRange for a face of no area, naming it.
 PanelMesh makePanels(const SurfaceMesh& wet, bool symmetric);
 
-/// Faces that makePanels can lay: a quadrilateral with three corners on calm water, whose plane would
-/// be the waterplane, as two triangles from its fourth corner, each with an edge on calm water; none
-/// with all corners there.
-SurfaceMesh withSplitWaterCorners(const SurfaceMesh& wet);
-
 /// The panel with these 3 or 4 corners, which lie in one plane.
 /// @throws HydroError ValueOutOfRange if it has no area, BadArgument for another number of corners.
 Panel flatPanel(const std::vector<Vec3>& corners);

@@ -2,9 +2,10 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
-#include "hydro/geometry/panels/PanelMesh.h"
+#include "hydro/geometry/MeshCut.h"
 #include "hydro/geometry/shapes/ShapeGrid.h"
 #include "hydro/geometry/shapes/Shapes.h"
+#include "hydro/geometry/shapes/Spacing.h"
 
 namespace cutwater {
 namespace {

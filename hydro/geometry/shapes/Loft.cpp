@@ -6,6 +6,7 @@
 
 #include "hydro/Errors.h"
 #include "hydro/geometry/shapes/ShapeGrid.h"
+#include "hydro/geometry/shapes/Spacing.h"
 
 namespace cutwater {
 namespace {

@@ -2,13 +2,10 @@
 #include <functional>
 #include <vector>
 
-#include "hydro/geometry/shapes/Shapes.h"
+#include "hydro/geometry/SurfaceMesh.h"
 
-/// Building blocks of Shapes.cpp and FrigateShape.cpp; not installed.
+/// Building blocks of Shapes.cpp and FrigateShape.cpp.
 namespace cutwater {
-
-/// n + 1 equal steps from 0 to 1. @throws HydroError BadArgument for n < 1.
-std::vector<double> uniform(int n);
 
 /// Faces between the points P(u_i, v_j), normals along ∂P/∂u × ∂P/∂v: for a port side u runs from
 /// stern to bow, v from the top down. Coincident points are merged, so quadrilaterals degenerate to

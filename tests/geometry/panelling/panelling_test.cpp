@@ -10,6 +10,7 @@
 #include "hydro/geometry/MeshIntegrals.h"
 #include "hydro/geometry/SurfaceTree.h"
 #include "hydro/geometry/panelling/FlatPolygon.h"
+#include "hydro/geometry/panelling/PanelQuality.h"
 #include "hydro/geometry/panels/Lid.h"
 #include "hydro/geometry/panels/PanelMesh.h"
 #include "hydro/geometry/shapes/Shapes.h"

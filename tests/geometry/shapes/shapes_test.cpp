@@ -5,6 +5,7 @@
 #include "hydro/Errors.h"
 #include "hydro/geometry/MeshCut.h"
 #include "hydro/geometry/MeshIntegrals.h"
+#include "hydro/geometry/shapes/Spacing.h"
 
 namespace cutwater {
 namespace {
