@@ -22,10 +22,6 @@ CUTWATER_INLINE Double4 load4(const double* from) {
   __builtin_memcpy(&x, from, sizeof(x));
   return x;
 }
-// The old names, until forces/linear has the new ones.
-using Four = Double4;
-CUTWATER_INLINE Double4 loadFour(const double* from) { return load4(from); }
-CUTWATER_INLINE void storeFour(double* to, Double4 x) { __builtin_memcpy(to, &x, sizeof(x)); }
 CUTWATER_INLINE double sumOf(Double4 x) { return (x[0] + x[2]) + (x[1] + x[3]); }
 CUTWATER_INLINE void store4(double* to, Double4 x) { __builtin_memcpy(to, &x, sizeof(x)); }
 

@@ -253,7 +253,7 @@ double ExcitationTable::measureError(const Coefficients& c) const {
     const auto at = static_cast<std::size_t>(i) * (sea_.components().size() - 1) / (kPoints - 1);
     const double omega = sea_.components()[at].omega, beta = 2.399963229728653 * i;
     double speed = moving ? 0.37 * (i % 41) : 0.0;
-    const double met = std::abs(encounterFrequency(omega, speed, beta, sea_.gravity()));
+    const double met = Encounter(omega, speed, beta, sea_.gravity()).frequency();
     if (!hasInfinity_ && met > last_) speed = 0.0;  // nothing to compare with
     const Amplitude found = atWave(omega, beta, speed);
     const auto exact = direct.at(omega, beta, speed);

@@ -5,6 +5,7 @@
 
 #include "hydro/database/Coefficients.h"
 #include "hydro/incident/IncidentWaveForce.h"
+#include "hydro/waves/Encounter.h"
 #include "hydro/waves/SeaState.h"
 
 namespace cutwater {
@@ -68,7 +69,7 @@ class ExcitationTable {
     std::array<std::size_t, 4> nodes;
   };
   VectorNodes vectorNodes(double omegaE) const noexcept;
-  CVec6 diffraction(double* q, double omegaE, double speed) const noexcept;
+  CVec6 diffraction(double* q, const Encounter& met) const noexcept;
   Amplitude atWave(double omega, double beta, double speed) const noexcept;
 
   SeaState sea_;

@@ -66,11 +66,9 @@ ExcitationTable::VectorNodes ExcitationTable::vectorNodes(double omega) const no
   return {evenCubic(x - low), {first, first + 1, first + 2, first + 3}};
 }
 
-CVec6 ExcitationTable::diffraction(double* q, double omegaE, double speed) const noexcept {
-  const double omega = std::abs(omegaE);
-  const bool overtaking = omegaE < 0.0;
-  const auto [weights, nodes] = vectorNodes(omega);
-  if (overtaking) {  // of v*, and the force's conjugate
+CVec6 ExcitationTable::diffraction(double* q, const Encounter& met) const noexcept {
+  const auto [weights, nodes] = vectorNodes(met.frequency());
+  if (met.overtaking()) {  // of v*
     for (std::size_t p = 0, at = rank_[0]; p < 2; ++p, at += rank_[0] + rank_[1])
       for (std::size_t i = 0; i < rank_[p]; ++i) q[at + i] = -q[at + i];
   }
@@ -79,7 +77,7 @@ CVec6 ExcitationTable::diffraction(double* q, double omegaE, double speed) const
     if (weights[n] == 0.0) continue;
     const double* b = &vectors_[nodes[n] * vectorSize_];
     for (int part = 0; part < 2; ++part) {
-      const double share = weights[n] * (part == 0 ? omega : speed);
+      const double share = weights[n] * (part == 0 ? met.frequency() : met.speed());
       for (int mode = 0; mode < 6; ++mode) {
         const std::size_t p = parityOf(mode);
         double re = 0.0, im = 0.0;
@@ -89,8 +87,7 @@ CVec6 ExcitationTable::diffraction(double* q, double omegaE, double speed) const
       }
     }
   }
-  if (overtaking) force = force.conjugate().eval();
-  return force;
+  return met.conjugatedIfOvertaking(force);
 }
 
 ExcitationTable::Amplitude ExcitationTable::at(std::size_t component, double course,
@@ -119,8 +116,8 @@ ExcitationTable::Amplitude ExcitationTable::atWave(double omega, double beta,
     result.diffraction[j] = Complex(sum[12 + i], sum[18 + i]);
   }
   if (hasVectors_) {
-    const double omegaE = encounterFrequency(omega, speed, beta, sea_.gravity());
-    result.diffraction = diffraction(sum.data() + 12, omegaE, speed);
+    result.diffraction =
+        diffraction(sum.data() + 12, Encounter(omega, speed, beta, sea_.gravity()));
   }
   return result;
 }

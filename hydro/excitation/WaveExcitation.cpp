@@ -132,15 +132,12 @@ CVec6 WaveExcitation::froudeKrylov(double omegaI, double heading) const {
 
 CVec6 WaveExcitation::fromVectors(const AiryWave& wave, double speed) const {
   const Coefficients& c = coefficients_;
-  const double omegaE = encounterFrequency(wave.omega, speed, wave.heading, wave.gravity);
-  const bool overtaking = omegaE < 0.0;
-  IncidentVelocity v = incidentNormalVelocity(panels_, wave, c.ship.cog);
-  if (overtaking) v = {v.even.conjugate(), v.odd.conjugate()};
-  const double solved = std::abs(omegaE);
-  const CVec6 omegaForce = diffractionForce(adjointAt(c, solved), v);
-  CVec6 force = solved * omegaForce;
+  const Encounter met(wave, speed);
+  const IncidentVelocity v = atEncounter(incidentNormalVelocity(panels_, wave, c.ship.cog), met);
+  const CVec6 omegaForce = diffractionForce(adjointAt(c, met.frequency()), v);
+  CVec6 speedForce = CVec6::Zero();
   if (speed != 0.0 && form_ == ForwardSpeedForm::Tuck) {
-    force += speed * tuckSpeedForce(omegaForce);
+    speedForce = tuckSpeedForce(omegaForce);
   } else if (speed != 0.0) {
     if (c.adjointX.empty()) {
       refuse(Fault::DatabaseIncomplete,
@@ -148,9 +145,9 @@ CVec6 WaveExcitation::fromVectors(const AiryWave& wave, double speed) const {
                          "d/dx (form tuck needs none)",
                          speed));
     }
-    force += speed * diffractionForce(adjointXAt(c, solved), v);
+    speedForce = diffractionForce(adjointXAt(c, met.frequency()), v);
   }
-  return overtaking ? CVec6(force.conjugate()) : force;
+  return met.diffractionForce(omegaForce, speedForce);
 }
 
 CVec6 WaveExcitation::fromDiffractionTable(const AiryWave& wave, double speed) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hydro/incident/PanelSums.h"
 #include "hydro/incident/PanelWave.h"
 
 namespace cutwater {
@@ -18,6 +19,11 @@ Panel mirrored(Panel panel) {
   return panel;
 }
 
+/// Panel i or its mirror image.
+Panel panelOf(const PanelMesh& mesh, std::size_t i, bool starboard) {
+  return starboard ? mirrored(mesh.panels[i]) : mesh.panels[i];
+}
+
 /// ∫ e^{κ·x} n_j dS over one panel, n_4..6 = (r − r_G) × n.
 CVec6 overPanel(const Panel& panel, const Eigen::Vector3cd& kappa, const Vec3& cog) {
   const PanelWave integral = panelWave(panel, kappa, Vec3(cog.x(), cog.y(), 0.0));
@@ -27,23 +33,13 @@ CVec6 overPanel(const Panel& panel, const Eigen::Vector3cd& kappa, const Vec3& c
 
 }  // namespace
 
-CVec6 timesNormal(Complex sum, const Eigen::Vector3cd& arm, const Vec3& n) {
-  CVec6 result;
-  result.head<3>() = sum * n;
-  result.tail<3>().real() = arm.real().cross(n);  // Eigen's cross of complex vectors is conjugated
-  result.tail<3>().imag() = arm.imag().cross(n);
-  return result;
-}
-
 CVec6 froudeKrylovForce(const PanelMesh& mesh, const AiryWave& wave, const Vec3& cog,
                         double density) {
   const Eigen::Vector3cd kappa = wave.exponent();
-  CVec6 sum = CVec6::Zero();
-  for (const Panel& panel : mesh.panels) {
-    sum += overPanel(panel, kappa, cog);
-    if (mesh.symmetric) sum += overPanel(mirrored(panel), kappa, cog);
-  }
-  return -density * wave.gravity * sum;
+  return froudeKrylovSum(mesh.panels.size(), mesh.symmetric, density, wave.gravity,
+                         [&](std::size_t i, bool starboard) {
+                           return overPanel(panelOf(mesh, i, starboard), kappa, cog);
+                         });
 }
 
 IncidentVelocity incidentNormalVelocity(const PanelMesh& mesh, const AiryWave& wave,
@@ -55,9 +51,8 @@ IncidentVelocity incidentNormalVelocity(const PanelMesh& mesh, const AiryWave& w
     const Complex across = (kappa.transpose() * panel.normal).value();
     return amplitude * across * panelWave(panel, kappa, origin).sum / panel.area;
   };
-  return evenAndOdd(mesh.panels.size(), mesh.symmetric, [&](std::size_t i, bool starboard) {
-    const Panel& panel = mesh.panels[i];
-    return mean(starboard ? mirrored(panel) : panel);
+  return normalVelocities(mesh.panels.size(), mesh.symmetric, [&](std::size_t i, bool starboard) {
+    return mean(panelOf(mesh, i, starboard));
   });
 }
 

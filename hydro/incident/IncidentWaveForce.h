@@ -1,6 +1,6 @@
 #pragma once
 #include "hydro/geometry/panels/PanelMesh.h"
-#include "hydro/waves/Wave.h"
+#include "hydro/incident/IncidentVelocity.h"
 
 namespace cutwater {
 
@@ -15,34 +15,9 @@ namespace cutwater {
 CVec6 froudeKrylovForce(const PanelMesh& mesh, const AiryWave& wave, const Vec3& cog,
                         double density);
 
-/// v = −∂φ_I/∂n, its mean over each panel [m/s per m], the normal velocity of the diffracted wave,
-/// crest over G. Of a symmetric mesh the even and the odd part at its port panels, v_port = even + odd,
-/// v_starboard = even − odd ([M03] (69)-(79), with the factor e^{kz} missing in (76)); else `even`
-/// is v, `odd` empty.
-struct IncidentVelocity {
-  Eigen::VectorXcd even, odd;
-};
+/// v of a wave.
 IncidentVelocity incidentNormalVelocity(const PanelMesh& mesh, const AiryWave& wave,
                                         const Vec3& cog);
-
-/// e^{κ·x} on one panel, n_1..6 times it: `sum` its integral (or mean), `arm` that of (x − G) e^{κ·x}.
-CVec6 timesNormal(Complex sum, const Eigen::Vector3cd& arm, const Vec3& normal);
-
-/// Both parts of v from its means mean(i, starboard) over panel i and over its mirror image.
-template <class Mean>
-IncidentVelocity evenAndOdd(std::size_t panels, bool symmetric, const Mean& mean) {
-  const auto count = static_cast<Eigen::Index>(panels);
-  IncidentVelocity v{Eigen::VectorXcd(count), Eigen::VectorXcd(symmetric ? count : 0)};
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    v.even[i] = mean(at, false);
-    if (!symmetric) continue;
-    const Complex port = v.even[i], starboard = mean(at, true);
-    v.even[i] = 0.5 * (port + starboard);
-    v.odd[i] = 0.5 * (port - starboard);
-  }
-  return v;
-}
 
 /// Σ_i b_j,i v_i from the adjoint vectors of one frequency (6 × panels, Coefficients::adjoint):
 /// F^ω_j of `adjoint`, F^U_j of `adjointX`; F_D = ω_e F^ω + U F^U, phase and units as

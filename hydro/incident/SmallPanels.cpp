@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "hydro/geometry/panels/PanelQuadrature.h"
+#include "hydro/incident/PanelSums.h"
 
 namespace cutwater {
 
@@ -46,17 +47,15 @@ std::vector<SmallPanel> smallPanels(const PanelMesh& mesh, const Vec3& cog) {
 CVec6 froudeKrylovForce(const std::vector<SmallPanel>& panels, const AiryWave& wave, bool symmetric,
                         double density) {
   const PlaneWave e{wave.exponent()};
-  CVec6 sum = CVec6::Zero();
-  const auto add = [&](const SmallPanel& p) {
+  const auto integral = [&](const SmallPanel& p) -> CVec6 {
     Eigen::Vector3cd arm;
     const Complex mean = e.mean(p, arm);
-    sum += p.area * timesNormal(mean, arm + mean * p.arm, p.normal);
+    return p.area * timesNormal(mean, arm + mean * p.arm, p.normal);
   };
-  for (const SmallPanel& p : panels) {
-    add(p);
-    if (symmetric) add(starboard(p));
-  }
-  return -density * wave.gravity * sum;
+  return froudeKrylovSum(panels.size(), symmetric, density, wave.gravity,
+                         [&](std::size_t i, bool other) {
+                           return integral(other ? starboard(panels[i]) : panels[i]);
+                         });
 }
 
 IncidentVelocity incidentNormalVelocity(const std::vector<SmallPanel>& panels, const AiryWave& wave,
@@ -69,7 +68,7 @@ IncidentVelocity incidentNormalVelocity(const std::vector<SmallPanel>& panels, c
         e.kappa.x() * p.normal.x() + e.kappa.y() * p.normal.y() + e.kappa.z() * p.normal.z();
     return amplitude * across * e.mean(p, unused);
   };
-  return evenAndOdd(panels.size(), symmetric, [&](std::size_t i, bool other) {
+  return normalVelocities(panels.size(), symmetric, [&](std::size_t i, bool other) {
     return mean(other ? starboard(panels[i]) : panels[i]);
   });
 }

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
-#include <cmath>
 #include <vector>
 
 #include "hydro/Errors.h"
 #include "hydro/database/ForwardSpeed.h"
+#include "hydro/waves/Encounter.h"
 
 namespace cutwater {
 
@@ -52,10 +52,9 @@ FrequencyResponse::FrequencyResponse(const Coefficients& coefficients,
 
 CVec6 FrequencyResponse::at(double omegaI, double heading, double speed) const {
   const ShipParticulars& ship = coefficients_.ship;
-  const double omegaE = encounterFrequency(omegaI, speed, heading, ship.gravity);
-  const double omega = std::abs(omegaE);
-  CVec6 force = excitation_.at(omegaI, heading, speed).total();
-  if (omegaE < 0.0) force = force.conjugate().eval();
+  const Encounter met(omegaI, speed, heading, ship.gravity);
+  const double omega = met.frequency();
+  const CVec6 force = met.conjugatedIfOvertaking(excitation_.at(omegaI, heading, speed).total());
   Mat6 stiffness = ship.restoring;
   stiffness.diagonal() += ship.supplementary.stiffness;
   CMat6 system = radiationImpedance(coefficients_, omega, speed, form_) +
@@ -68,8 +67,8 @@ CVec6 FrequencyResponse::at(double omegaI, double heading, double speed) const {
   }
   CVec6 eta = CVec6::Zero();
   if (free.empty()) return eta;
-  eta(free) = solved(system, free, force, omegaE);
-  return omegaE < 0.0 ? CVec6(eta.conjugate()) : eta;
+  eta(free) = solved(system, free, force, met.signedFrequency());
+  return met.conjugatedIfOvertaking(eta);
 }
 
 }  // namespace cutwater

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
-#include "hydro/waves/PhaseBlocks.h"
+#include "hydro/base/SimdMath.h"
 
 namespace cutwater {
 
@@ -16,27 +16,10 @@ void check(bool good, std::size_t index, const char* field, double value) {
                                                field + " = " + std::to_string(value));
 }
 
-using namespace phase_blocks;
-constexpr std::size_t kBlock = kPhase + kLanes;
-
-/// Σ a cos(ω t − k_x x − k_y y + ε) over blocks of four.
-CUTWATER_VECTOR double sumOfWaves(const double* block, std::size_t count, double t, double x,
-                                  double y) noexcept {
-  Double4 sum = {};
-  for (std::size_t i = 0; i < count; ++i, block += kBlock) {
-    sum += load4(block + kPhase) * sineCosine(phaseAt(block, t, x, y)).cosine;
-  }
-  return sumOf(sum);
-}
-
-/// e^{i(ω t − k_x x − k_y y + ε)} of blocks of four.
-CUTWATER_VECTOR void phasorsOf(const double* block, std::size_t count, double t, double x, double y,
-                               Phasors4* out) noexcept {
-  for (std::size_t i = 0; i < count; ++i, block += kBlock) {
-    const auto [sine, cosine] = sineCosine(phaseAt(block, t, x, y));
-    store4(out[i].re, cosine);
-    store4(out[i].im, sine);
-  }
+/// ω t + ε − k_x x − k_y y of four components.
+template <class Block>
+CUTWATER_INLINE Double4 phaseAt(const Block& block, double t, double x, double y) noexcept {
+  return load4(block.omega) * t + load4(block.phase) - load4(block.kx) * x - load4(block.ky) * y;
 }
 
 }  // namespace
@@ -58,9 +41,17 @@ SeaState::SeaState(std::vector<WaveComponent> components, double gravity, double
     check(std::isfinite(c.heading), i, "heading", c.heading);
     waveNumber_.push_back(c.omega * c.omega / gravity);
   }
-  blocks_ = phaseBlocks(*this, kBlock);
-  for (std::size_t i = 0; i < components_.size(); ++i)
-    placeOf(blocks_, kBlock, i)[kPhase] = components_[i].amplitude;
+  blocks_.resize((components_.size() + 3) / 4);
+  for (std::size_t i = 0; i < components_.size(); ++i) {
+    const WaveComponent& c = components_[i];
+    Block& block = blocks_[i / 4];
+    const std::size_t lane = i % 4;
+    block.omega[lane] = c.omega;
+    block.phase[lane] = c.phase;
+    block.kx[lane] = waveNumber_[i] * std::cos(c.heading);
+    block.ky[lane] = -waveNumber_[i] * std::sin(c.heading);
+    block.amplitude[lane] = c.amplitude;
+  }
 }
 
 double SeaState::ramp(double t) const noexcept {
@@ -68,14 +59,31 @@ double SeaState::ramp(double t) const noexcept {
   return t <= 0.0 ? 0.0 : 0.5 * (1.0 - std::cos(kPi * t / ramp_));
 }
 
-double SeaState::elevation(double t, double x, double y) const noexcept {
-  return ramp(t) * sumOfWaves(blocks_.data(), blocks_.size() / kBlock, t, x, y);
+CUTWATER_VECTOR double SeaState::sumOfWaves(std::span<const Block> blocks, double t, double x,
+                                            double y) noexcept {
+  Double4 sum = {};
+  for (const Block& block : blocks)
+    sum += load4(block.amplitude) * sineCosine(phaseAt(block, t, x, y)).cosine;
+  return sumOf(sum);
 }
 
-std::size_t SeaState::phasorBlocks() const noexcept { return blocks_.size() / kBlock; }
+double SeaState::elevation(double t, double x, double y) const noexcept {
+  return ramp(t) * sumOfWaves(blocks_, t, x, y);
+}
+
+CUTWATER_VECTOR void SeaState::phasorsOf(std::span<const Block> blocks, double t, double x,
+                                         double y, Phasors4* out) noexcept {
+  for (const Block& block : blocks) {
+    const auto [sine, cosine] = sineCosine(phaseAt(block, t, x, y));
+    store4(out->re, cosine);
+    store4(out->im, sine);
+    ++out;
+  }
+}
 
 void SeaState::phasors(double t, double x, double y, std::span<Phasors4> out) const noexcept {
-  phasorsOf(blocks_.data(), std::min(out.size(), phasorBlocks()), t, x, y, out.data());
+  const std::size_t count = std::min(out.size(), phasorBlocks());
+  phasorsOf({blocks_.data(), count}, t, x, y, out.data());
 }
 
 // A crest moves forward: u = a ω e^{kz} cos θ along the wave, w = −a ω e^{kz} sin θ.

@@ -39,7 +39,7 @@ class SeaState {
   /// ζ [m] at time t [s] and earth position x, y [m]. No allocation; O(components).
   double elevation(double t, double x, double y) const noexcept;
   /// How many Phasors4 hold all components; those of the last that are no component are e^{0}.
-  std::size_t phasorBlocks() const noexcept;
+  std::size_t phasorBlocks() const noexcept { return blocks_.size(); }
   /// Phasors of all components at time t and x, y, in their order. No allocation; O(components).
   /// @pre out.size() == phasorBlocks().
   void phasors(double t, double x, double y, std::span<Phasors4> out) const noexcept;
@@ -48,9 +48,16 @@ class SeaState {
   Vec3 velocity(double t, const Vec3& place) const noexcept;
 
  private:
+  struct Block {  // of four components; 0 where there is none
+    double omega[4]{}, phase[4]{}, kx[4]{}, ky[4]{}, amplitude[4]{};
+  };
+  static double sumOfWaves(std::span<const Block> blocks, double t, double x, double y) noexcept;
+  static void phasorsOf(std::span<const Block> blocks, double t, double x, double y,
+                        Phasors4* out) noexcept;
+
   std::vector<WaveComponent> components_;
   std::vector<double> waveNumber_;
-  std::vector<double> blocks_;  // per four components: ω, ε, k_x, k_y, a; four of each
+  std::vector<Block> blocks_;
   double gravity_ = kStandardGravity;
   double ramp_ = 0.0;
 };

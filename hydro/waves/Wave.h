@@ -4,8 +4,7 @@
 namespace cutwater {
 
 /// ω′ = ω_I − kU cos β, k = ω_I²/g: the frequency at which a ship of speed U meets the wave.  [M03] (3)
-/// Negative where she overtakes it (following seas, U cos β > g/ω_I); theory for ω′ < 0 in
-/// excitation/WaveExcitation.h.
+/// Negative where the ship overtakes the wave (following seas, U cos β > g/ω_I): Encounter.h.
 /// @param omegaI [rad/s].  @param speed U [m/s].  @param heading β [rad].  @param gravity [m/s²].
 double encounterFrequency(double omegaI, double speed, double heading, double gravity) noexcept;
 

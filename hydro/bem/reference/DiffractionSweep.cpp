@@ -14,8 +14,7 @@ using Systems = std::array<InfluenceSystem<Complex>, 2>;
 struct Condition {
   std::size_t place;  ///< in the table
   AiryWave wave;
-  double speed;           ///< U [m/s]
-  double encounterOmega;  ///< ω′ [rad/s], signed
+  Encounter met;
 };
 
 /// Conditions of one ω_e, which share a system.
@@ -32,14 +31,14 @@ std::vector<Group> groups(const DiffractionTable& table, double gravity) {
   for (const double speed : table.speeds)
     for (const double heading : table.headings)
       for (const double omega : table.waveOmega)
-        all.push_back({all.size(), AiryWave{omega, heading, gravity}, speed,
-                       encounterFrequency(omega, speed, heading, gravity)});
+        all.push_back({all.size(), AiryWave{omega, heading, gravity},
+                       Encounter(omega, speed, heading, gravity)});
   std::stable_sort(all.begin(), all.end(), [](const Condition& a, const Condition& b) {
-    return std::abs(a.encounterOmega) < std::abs(b.encounterOmega);
+    return a.met.frequency() < b.met.frequency();
   });
   std::vector<Group> result;
   for (const Condition& c : all) {
-    const double omegaE = std::abs(c.encounterOmega);
+    const double omegaE = c.met.frequency();
     if (result.empty() || omegaE > result.back().omegaE + kSame) result.push_back({omegaE, {}});
     result.back().conditions.push_back(c);
   }
@@ -129,20 +128,16 @@ class DiffractionSweep {
 
   void force(const SymmetricSystem<Complex>& system, const Group& group) const {
     std::vector<IncidentVelocity> waves;
-    for (const Condition& c : group.conditions) {
-      waves.push_back(incidentNormalVelocity(parts_.matrices.mesh(), c.wave, parts_.ship.cog));
-      if (c.encounterOmega >= 0.0) continue;
-      waves.back().even = waves.back().even.conjugate().eval();
-      waves.back().odd = waves.back().odd.conjugate().eval();
-    }
+    for (const Condition& c : group.conditions)
+      waves.push_back(atEncounter(
+          incidentNormalVelocity(parts_.matrices.mesh(), c.wave, parts_.ship.cog), c.met));
     const bool tuck = settings_.forwardSpeed == ForwardSpeedForm::Tuck;
     const auto forces = diffraction(system, parts_.normals, waves, parts_.ship.density,
                                     tuck ? nullptr : &parts_.stokes);
     for (std::size_t i = 0; i < forces.size(); ++i) {
       const Condition& c = group.conditions[i];
       const CVec6 speed = tuck ? tuckSpeedForce(forces[i].omega) : forces[i].speed;
-      const CVec6 total = std::abs(c.encounterOmega) * forces[i].omega + c.speed * speed;
-      table_.values[c.place] = c.encounterOmega < 0.0 ? CVec6(total.conjugate()) : total;
+      table_.values[c.place] = c.met.diffractionForce(forces[i].omega, speed);
     }
   }
 
