@@ -34,9 +34,14 @@ class ExcitationTable {
                   std::optional<ForwardSpeedForm> form = {});
 
   const SeaState& sea() const noexcept { return sea_; }
+  /// The two parts of one component, apart: a ship asks for each in a part of its load.
   /// @param component of the sea.  @param course ψ̄ [rad].  @param speed U [m/s].
-  /// Not a number where one of them is not finite.
-  Amplitude at(std::size_t component, double course, double speed) const noexcept;
+  /// Not a number where course or speed is not finite.
+  CVec6 froudeKrylov(std::size_t component, double course) const noexcept;
+  CVec6 diffraction(std::size_t component, double course, double speed) const noexcept;
+  Amplitude at(std::size_t component, double course, double speed) const noexcept {
+    return {froudeKrylov(component, course), diffraction(component, course, speed)};
+  }
 
   /// Largest distance from direct evaluation at points between the grid's, over the largest force of that
   /// mode in this sea, both for waves of unit amplitude; measured when made.
@@ -46,6 +51,10 @@ class ExcitationTable {
   struct Row {                             // of one ω_I: all headings
     std::size_t headings = 0, offset = 0;  // in values_, width_ numbers a heading
   };
+  struct Columns {  // of a row's numbers
+    std::size_t first, count;
+  };
+  static constexpr std::size_t kForceColumns = 12;    // of one force
   static constexpr std::size_t kMostDirections = 64;  // of each parity
 
   /// Which directions a mode sees: 0 even (all of an unsymmetric hull), 1 odd.
@@ -63,14 +72,15 @@ class ExcitationTable {
   void enter(const IncidentVelocity& v, double* at) const;
   void mirror(const double* from, double* to) const;
   double measureError(const Coefficients& c) const;
-  void addHeadings(const Row& row, double beta, double share, double* sum) const noexcept;
+  void interpolate(double omega, double beta, const Columns& columns, double* sum) const noexcept;
   struct VectorNodes {  // of ω_e
     std::array<double, 4> weights;
     std::array<std::size_t, 4> nodes;
   };
   VectorNodes vectorNodes(double omegaE) const noexcept;
-  CVec6 diffraction(double* q, const Encounter& met) const noexcept;
-  Amplitude atWave(double omega, double beta, double speed) const noexcept;
+  CVec6 fromDirections(double* q, const Encounter& met) const noexcept;
+  CVec6 froudeKrylovOf(double omega, double beta) const noexcept;
+  CVec6 diffractionOf(double omega, double beta, double speed) const noexcept;
 
   SeaState sea_;
   ForwardSpeedForm form_;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "hydro/base/SimdMath.h"
 #include "hydro/database/Interpolation.h"
@@ -16,12 +17,20 @@ std::array<double, 4> evenCubic(double x) noexcept {
   return {-x * b * c / 6.0, a * b * c / 2.0, -a * x * c / 2.0, a * x * b / 6.0};
 }
 
-/// sum += weight · row, `count` a multiple of four.
-CUTWATER_VECTOR void addRow(double* sum, const double* row, double weight,
-                            std::size_t count) noexcept {
+/// Rows of a table that are mixed, and their weights.
+struct Mixture {
+  static constexpr std::size_t kMost = 16;  // four headings of four frequencies
+  std::array<const double*, kMost> row;
+  std::array<double, kMost> weight;
+  std::size_t count = 0;
+};
+
+/// Σ weight · row of `count` numbers, a multiple of four.
+CUTWATER_VECTOR void mix(const Mixture& rows, std::size_t count, double* sum) noexcept {
   for (std::size_t i = 0; i < count; i += 4) {
-    const Double4 v = load4(sum + i) + weight * load4(row + i);
-    store4(sum + i, v);
+    Double4 mixed = {};
+    for (std::size_t n = 0; n < rows.count; ++n) mixed += rows.weight[n] * load4(rows.row[n] + i);
+    store4(sum + i, mixed);
   }
 }
 
@@ -39,19 +48,39 @@ CUTWATER_VECTOR void complexDot(const double* b, const double* q, std::size_t co
   *im = sumOf(imaginary);
 }
 
+/// Six complex numbers given as six real and six imaginary parts.
+CVec6 forceIn(const double* numbers) noexcept {
+  CVec6 force;
+  for (int j = 0; j < 6; ++j) force[j] = Complex(numbers[j], numbers[6 + j]);
+  return force;
+}
+
+CVec6 notANumber() noexcept {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  return CVec6::Constant(Complex(kNan, kNan));
+}
+
 }  // namespace
 
-void ExcitationTable::addHeadings(const Row& row, double beta, double share,
+// Cubic over the rows of ω_I and, in each of them, over the headings.
+void ExcitationTable::interpolate(double omega, double beta, const Columns& columns,
                                   double* sum) const noexcept {
-  const auto count = static_cast<double>(row.headings);
-  const double turn = beta / (2.0 * kPi), x = (turn - std::floor(turn)) * count;
-  const double floor = std::floor(x);
-  const auto weights = evenCubic(x - floor);
-  const auto first = static_cast<std::size_t>(floor) + row.headings - 1;
-  for (std::size_t n = 0; n < 4; ++n) {
-    const double* at = &values_[row.offset + (first + n) % row.headings * width_];
-    addRow(sum, at, share * weights[n], width_);
+  Mixture mixture;
+  const double turn = beta / (2.0 * kPi), within = turn - std::floor(turn);
+  const LocalCubic cubic = localCubic(rowOmega_, omega);
+  for (std::size_t i = 0; i < cubic.count; ++i) {
+    if (cubic.weight[i] == 0.0) continue;
+    const Row& row = rows_[cubic.first + i];
+    const double x = within * static_cast<double>(row.headings), floor = std::floor(x);
+    const auto weights = evenCubic(x - floor);
+    const auto first = static_cast<std::size_t>(floor) + row.headings - 1;
+    for (std::size_t n = 0; n < 4; ++n) {
+      mixture.row[mixture.count] =
+          &values_[row.offset + (first + n) % row.headings * width_ + columns.first];
+      mixture.weight[mixture.count++] = cubic.weight[i] * weights[n];
+    }
   }
+  mix(mixture, columns.count, sum);
 }
 
 // Beyond the last node b(∞) + (b(Ω) − b(∞))(Ω/ω)², or what is there held.
@@ -66,7 +95,7 @@ ExcitationTable::VectorNodes ExcitationTable::vectorNodes(double omega) const no
   return {evenCubic(x - low), {first, first + 1, first + 2, first + 3}};
 }
 
-CVec6 ExcitationTable::diffraction(double* q, const Encounter& met) const noexcept {
+CVec6 ExcitationTable::fromDirections(double* q, const Encounter& met) const noexcept {
   const auto [weights, nodes] = vectorNodes(met.frequency());
   if (met.overtaking()) {  // of v*
     for (std::size_t p = 0, at = rank_[0]; p < 2; ++p, at += rank_[0] + rank_[1])
@@ -90,36 +119,30 @@ CVec6 ExcitationTable::diffraction(double* q, const Encounter& met) const noexce
   return met.conjugatedIfOvertaking(force);
 }
 
-ExcitationTable::Amplitude ExcitationTable::at(std::size_t component, double course,
-                                               double speed) const noexcept {
-  const WaveComponent& wave = sea_.components()[component];
-  return atWave(wave.omega, wave.heading + course, speed);
+CVec6 ExcitationTable::froudeKrylovOf(double omega, double beta) const noexcept {
+  if (!std::isfinite(beta)) return notANumber();
+  std::array<double, kForceColumns> sum;
+  interpolate(omega, beta, {0, kForceColumns}, sum.data());
+  return forceIn(sum.data());
 }
 
-ExcitationTable::Amplitude ExcitationTable::atWave(double omega, double beta,
-                                                   double speed) const noexcept {
-  if (!std::isfinite(beta) || !std::isfinite(speed)) {
-    const CVec6 nothing = CVec6::Constant(Complex(std::nan(""), std::nan("")));
-    return {nothing, nothing};
-  }
-  std::array<double, 12 + 4 * kMostDirections> sum;
-  std::fill_n(sum.begin(), width_, 0.0);
-  const LocalCubic cubic = localCubic(rowOmega_, omega);
-  for (std::size_t i = 0; i < cubic.count; ++i) {
-    if (cubic.weight[i] != 0.0)
-      addHeadings(rows_[cubic.first + i], beta, cubic.weight[i], sum.data());
-  }
-  Amplitude result;
-  for (int j = 0; j < 6; ++j) {
-    const auto i = static_cast<std::size_t>(j);
-    result.froudeKrylov[j] = Complex(sum[i], sum[6 + i]);
-    result.diffraction[j] = Complex(sum[12 + i], sum[18 + i]);
-  }
-  if (hasVectors_) {
-    result.diffraction =
-        diffraction(sum.data() + 12, Encounter(omega, speed, beta, sea_.gravity()));
-  }
-  return result;
+CVec6 ExcitationTable::diffractionOf(double omega, double beta, double speed) const noexcept {
+  if (!std::isfinite(beta) || !std::isfinite(speed)) return notANumber();
+  std::array<double, std::max(kForceColumns, 4 * kMostDirections)> sum;
+  interpolate(omega, beta, {kForceColumns, width_ - kForceColumns}, sum.data());
+  if (!hasVectors_) return forceIn(sum.data());
+  return fromDirections(sum.data(), Encounter(omega, speed, beta, sea_.gravity()));
+}
+
+CVec6 ExcitationTable::froudeKrylov(std::size_t component, double course) const noexcept {
+  const WaveComponent& wave = sea_.components()[component];
+  return froudeKrylovOf(wave.omega, wave.heading + course);
+}
+
+CVec6 ExcitationTable::diffraction(std::size_t component, double course,
+                                   double speed) const noexcept {
+  const WaveComponent& wave = sea_.components()[component];
+  return diffractionOf(wave.omega, wave.heading + course, speed);
 }
 
 }  // namespace cutwater

@@ -63,9 +63,9 @@ void WaveForce::setAmplitude(std::size_t component, const CVec6& force) noexcept
 }
 
 void WaveForce::renew(std::size_t component, const Course& course) noexcept {
-  const auto forces = table_->at(component, course.heading, course.speed);
-  setAmplitude(component,
-               load_ == WaveLoad::FroudeKrylov ? forces.froudeKrylov : forces.diffraction);
+  setAmplitude(component, load_ == WaveLoad::FroudeKrylov
+                              ? table_->froudeKrylov(component, course.heading)
+                              : table_->diffraction(component, course.heading, course.speed));
   madeFor_[component] = course;
 }
 
