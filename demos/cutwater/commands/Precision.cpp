@@ -25,7 +25,7 @@ void usePrecision(bool doublePrecision) {
   const auto other = self.parent_path() / (doublePrecision ? "cutwater" : "cutwater-float32");
   execv(other.c_str(), arguments);
   throw HydroError(Fault::FileNotReadable,
-                   other.string() + ": cannot be run; this binary has the other precision");
+                   other.string() + " cannot be run: ./run build " + other.filename().string());
 }
 
 }  // namespace cutwater::command
