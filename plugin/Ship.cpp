@@ -215,7 +215,8 @@ Vec6 Ship::sumOfLoads() const noexcept {
   Vec6 water = record_.loads[kGravityPart], added = Vec6::Zero();
   for (std::size_t i = kGravityPart + 1; i < parts_.size(); ++i) {
     if (i == kAddedMassPart) continue;
-    (parts_[i].potentialFlow ? water : added) += record_.loads[i];
+    Vec6& sum = parts_[i].potentialFlow ? water : added;
+    sum += record_.loads[i];
   }
   return water + added;
 }
