@@ -156,7 +156,6 @@ class Ship {
   void keepCourse(const CourseKeeper& order);
   void stopKeepingSpeed() noexcept;
   void stopKeepingCourse() noexcept;
-  const Autopilots& autopilots() const noexcept { return *autopilots_; }
 
   /// Sets the velocity [m/s, rad/s] in E. body().setLinearVelocity() would be taken for a blow,
   /// which M + A∞ resists; this is not. The memory of radiated waves stays; a filtered course takes
