@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <thread>
 
 #include "demos/report_figures/Report.h"
@@ -12,10 +13,10 @@ namespace cutwater::report {
 
 namespace {
 
-/// One means of diffraction forces: the database that has them, and the processor time for them.
+/// One means of diffraction forces: the tables that have them, and the processor time for them.
 struct Means {
   std::string name;
-  Coefficients database;
+  std::shared_ptr<const CoefficientTables> tables;
   double cpu;
 };
 
@@ -44,9 +45,9 @@ std::vector<Means> fourMeans(const Job& job) {
   settings.lid = false;
 
   const CpuTime sweep;
-  const Coefficients adjoint = buildCoefficients(ship, settings);
+  const SolverOutput adjoint = buildCoefficients(ship, settings);
   const double adjointTime = sweep.seconds();
-  Coefficients bare = adjoint;
+  SolverOutput bare = adjoint;
   bare.adjoint = {};
   bare.adjointX = {};
 
@@ -60,17 +61,18 @@ std::vector<Means> fourMeans(const Job& job) {
   for (const Influence influence : {Influence::Direct, Influence::Matrix, Influence::Inverse}) {
     settings.influence = influence;
     const CpuTime cpu;
-    means.push_back({nameOf(kInfluenceNames, influence), bare, 0.0});
-    means.back().database.diffractionTable =
+    const auto tables = std::make_shared<SolverOutput>(bare);
+    tables->diffractionTable =
         solveDiffractionTable({matrices, normals, stokes, ship}, settings, settings.omega, threads);
-    means.back().cpu = cpu.seconds();
+    means.push_back({nameOf(kInfluenceNames, influence), tables, cpu.seconds()});
   }
-  means.push_back({nameOf(kInfluenceNames, Influence::Adjoint), adjoint, adjointTime});
+  means.push_back({nameOf(kInfluenceNames, Influence::Adjoint),
+                   std::make_shared<SolverOutput>(adjoint), adjointTime});
   return means;
 }
 
 Curve curve(const Means& means, double heading, const std::vector<double>& waveOmega) {
-  const Coefficients& c = means.database;
+  const CoefficientTables& c = *means.tables;
   const WaveExcitation excitation(c);
   const FrequencyResponse response(c);
   Curve result;
@@ -155,7 +157,7 @@ Apart apart(const Curve& curve, const Curve& direct, const std::vector<double>& 
 
 void addDifferences(command::Csv& csv, double heading, const std::vector<Means>& means,
                     const std::vector<Curve>& curves, const std::vector<double>& waveOmega) {
-  const Coefficients& direct = means.front().database;
+  const CoefficientTables& direct = *means.front().tables;
   const auto resolved =
       static_cast<std::size_t>(std::count_if(waveOmega.begin(), waveOmega.end(), [&](double omega) {
         return encounterFrequency(omega, kSpeed, heading, direct.ship.gravity) <=
@@ -181,7 +183,8 @@ void writeFigures21To24(const Job& job, const Sweeps& medium) {
       "worst_force_at_omega_i,up_to_omega_i,cpu_s");
   const std::vector<double> waveOmega = job.waveOmega();
   std::vector<Means> means = fourMeans(job);
-  means.push_back({"lid", medium.ours, 0.0});  // what our database gives by default
+  means.push_back({"lid", std::make_shared<Coefficients>(medium.ours),
+                   0.0});  // what our database gives by default
   for (const double heading : bothHeadings()) {
     std::vector<Curve> curves;
     for (const Means& one : means) curves.push_back(curve(one, heading, waveOmega));

@@ -19,6 +19,7 @@ double kernelUnit(const ShipParticulars& ship, int mode) {
 }  // namespace
 
 void writeFigures25To30(const Job& job, const Sweeps& medium) {
+  if (medium.ours.status == CoefficientStatus::Unfinished) return;  // every 7th frequency, say
   const RetardationMatrix memory(medium.ours, ForwardSpeedForm::Report);
   for (int mode = Surge; mode <= Yaw; ++mode) {
     const double unit = kernelUnit(job.medium().ship, mode);

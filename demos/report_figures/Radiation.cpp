@@ -10,13 +10,13 @@ namespace cutwater::report {
 namespace {
 
 /// B_jj and U∂A_jj of one frequency as solved, in the report's units.
-std::vector<double> solved(const Coefficients& c, std::size_t i, int mode) {
+std::vector<double> solved(const CoefficientTables& c, std::size_t i, int mode) {
   const double unit = dampingUnit(c.ship, mode);
   return {c.damping[i](mode, mode) / unit, kSpeed * c.addedMassX[i](mode, mode) / unit};
 }
 
 /// The same as a database gives it back: beyond the waves that the panels resolve, its continuation.
-std::vector<double> read(const Coefficients& c, std::size_t i, int mode) {
+std::vector<double> read(const CoefficientTables& c, std::size_t i, int mode) {
   const double unit = dampingUnit(c.ship, mode), omega = c.omega[i];
   return {dampingAt(c, omega)(mode, mode) / unit,
           kSpeed * addedMassXAt(c, omega)(mode, mode) / unit};
@@ -33,8 +33,8 @@ double largest(const OverFrequency<Mat6>& matrices, int mode) {
 }
 
 /// A_jj / max A_jj and B_jj / max B_jj of two modes, and the condition number of their system.
-std::vector<double> normalised(const Coefficients& c, std::size_t i, const std::vector<int>& modes,
-                               bool even) {
+std::vector<double> normalised(const CoefficientTables& c, std::size_t i,
+                               const std::vector<int>& modes, bool even) {
   std::vector<double> row;
   for (const int j : modes) row.push_back(c.addedMass[i](j, j) / largest(c.addedMass, j));
   for (const int j : modes) row.push_back(c.damping[i](j, j) / largest(c.damping, j));
@@ -67,10 +67,10 @@ void writeConditions(const Job& job, const Sweeps& sweeps, int figure, bool even
 
 void writeFigure6(const Job& job, const Sweeps& medium) {
   std::string header = "omega_e";
-  std::vector<Coefficients> curves;
-  const auto curve = [&](const std::string& name, Coefficients coefficients) {
+  std::vector<SolverOutput> curves;
+  const auto curve = [&](const std::string& name, SolverOutput output) {
     header += ",B33_" + name + ",UdA33_" + name;
-    curves.push_back(std::move(coefficients));
+    curves.push_back(std::move(output));
   };
   for (const auto& [source, galerkin] : {std::pair{1, 1}, {4, 1}, {9, 1}}) {
     curve(fmt::format("sources_{}_{}", source, galerkin),
@@ -88,7 +88,7 @@ void writeFigure6(const Job& job, const Sweeps& medium) {
   command::Csv csv(header + ",B33_database,UdA33_database");
   for (std::size_t i = 0; i < medium.ours.omega.size(); ++i) {
     std::vector<double> row{medium.ours.omega[i]};
-    for (const Coefficients& c : curves) append(row, solved(c, i, Heave));
+    for (const SolverOutput& c : curves) append(row, solved(c, i, Heave));
     append(row, read(medium.ours, i, Heave));
     csv.row(row);
   }

@@ -17,19 +17,12 @@ std::vector<double> everyNth(double from, double step, int count, int every, int
   return values;
 }
 
-Mesh afloat(int panels, ShipParticulars ship, const Hull& hull) {
-  ship.hull = hull.surface;
-  ship.symmetric = hull.symmetric;
-  ship.wetSurface = wetSurface(hull);
-  ship.supplementary = {};
-  const SurfaceMesh whole = wholeWetSurface(hull);
-  ship.cog.x() = hydrostatics(whole, ship.cog, ship.density, ship.gravity).buoyancy.x();
-  const Hydrostatics rest = hydrostatics(whole, ship.cog, ship.density, ship.gravity);
-  ship.mass = rest.displacement;
-  ship.volume = rest.volume;
-  ship.centreOfBuoyancy = rest.buoyancy;
-  ship.restoring = rest.restoring;
-  return {panels, std::move(ship), rest};
+/// The division `file` of the ship, G over its centre of buoyancy, no supplementary terms.
+Mesh divided(int panels, const ShipParticulars& ship, const std::string& file) {
+  Loading loading{.cog = ship.cog, .level = true, .gyradii = ship.gyradii};
+  Afloat made = afloat(panelledAsItIs(readHull(file)), loading, {ship.density, ship.gravity});
+  made.ship.name = ship.name;
+  return {panels, std::move(made.ship), made.hydrostatics};
 }
 
 }  // namespace
@@ -44,7 +37,7 @@ std::vector<Mesh> readMeshes(const std::string& shipFile, int panels) {
   for (const int n : {224, 433, 1040}) {
     if (panels != 0 && panels != n) continue;
     const auto file = folder / ("frigate_" + std::to_string(n) + ".obj");
-    meshes.push_back(afloat(n, ship, readHull(file.string())));
+    meshes.push_back(divided(n, ship, file.string()));
   }
   if (meshes.empty()) throw HydroError(Fault::BadArgument, "--panels: must be 224, 433 or 1040");
   return meshes;

@@ -5,7 +5,7 @@
 
 #include "demos/cutwater/output/Csv.h"
 #include "hydro/bem/BuildCoefficients.h"
-#include "hydro/geometry/Hydrostatics.h"
+#include "hydro/ship/Afloat.h"
 
 /// The tables and figures of [M03] for our stand-in of the report's frigate; report_figures.cpp.
 namespace cutwater::report {
@@ -65,8 +65,8 @@ class CpuTime {
 
 /// Both sweeps of one mesh, ω_e of the job.
 struct Sweeps {
-  Coefficients ours;     ///< made ready for use, as `cutwater solve` writes it
-  Coefficients reports;  ///< 4 source, 4 Galerkin points
+  Coefficients ours;     ///< finished, as `cutwater solve` writes it
+  SolverOutput reports;  ///< 4 source, 4 Galerkin points
 };
 
 void writeTable2(const Job& job);

@@ -6,7 +6,7 @@
 #include "hydro/bem/solution/Diffraction.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/excitation/WaveExcitation.h"
-#include "hydro/finish/ConsistentLimit.h"
+#include "hydro/finish/Finish.h"
 #include "hydro/geometry/panels/Lid.h"
 
 namespace cutwater::report {
@@ -184,16 +184,16 @@ std::vector<Sweeps> writeTable4(const Job& job) {
   for (const Mesh& mesh : job.meshes) {
     const CpuTime cpu;
     const auto begin = std::chrono::steady_clock::now();
-    Coefficients database = buildCoefficients(mesh.ship, ours(job));
+    SolverOutput output = buildCoefficients(mesh.ship, ours(job));
     const double build = cpu.seconds();
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-    database = readyForUse(std::move(database));
+    Coefficients database = finish(std::move(output));
     const CpuTime reading;
     const int conditions = readConditions(database, waveOmega);
     const double read = reading.seconds();
     const std::string name = job.file("frigate_" + std::to_string(mesh.panels) + ".h5");
     writeCoefficients(database, name);
-    Coefficients sources = buildCoefficients(mesh.ship, reports(job, 4, 4));
+    SolverOutput sources = buildCoefficients(mesh.ship, reports(job, 4, 4));
     const std::vector<double>& omega = database.omega;
     const auto number = [](double value) { return command::csvNumber(value) + ","; };
     csv.row({static_cast<double>(conditions), build, wall.count(), read,

@@ -58,7 +58,7 @@ double resolved(const PanelMesh& mesh, double gravity) {
 }
 
 /// The frequencies that the mask leaves.
-std::vector<double> regularFrequencies(const Coefficients& c) {
+std::vector<double> regularFrequencies(const CoefficientTables& c) {
   const std::vector<int> masked = irregularFrequencies(c);
   std::vector<double> kept;
   for (std::size_t i = 0; i < c.omega.size(); ++i)
@@ -72,7 +72,7 @@ class Sweep {
  public:
   using Workspace = SymmetricSystem<Complex>::Workspace;
 
-  Sweep(Coefficients& out, const SolveSettings& settings, int threads)
+  Sweep(SolverOutput& out, const SolveSettings& settings, int threads)
       : out_(out),
         settings_(settings),
         matrices_(panels(out.ship, settings), influence(settings, threads)),
@@ -181,7 +181,7 @@ class Sweep {
     }
   }
 
-  Coefficients& out_;
+  SolverOutput& out_;
   const SolveSettings& settings_;
   InfluenceMatrices matrices_;
   ModeNormals normals_;
@@ -190,7 +190,7 @@ class Sweep {
 };
 
 /// All that the journal does not hold yet, shared out among the threads.
-void solveFrequencies(Sweep& sweep, Coefficients& out, const SolveSettings& settings, int threads,
+void solveFrequencies(Sweep& sweep, SolverOutput& out, const SolveSettings& settings, int threads,
                       const SolveProgress& progress, const std::string& path) {
   std::optional<SweepJournal> journal;
   if (!path.empty()) journal.emplace(path, journalKey(out, settings), packed(out, 0).size());
@@ -218,10 +218,10 @@ void solveFrequencies(Sweep& sweep, Coefficients& out, const SolveSettings& sett
 
 }  // namespace
 
-Coefficients buildCoefficients(const ShipParticulars& ship, const SolveSettings& settings,
+SolverOutput buildCoefficients(const ShipParticulars& ship, const SolveSettings& settings,
                                const SolveProgress& progress, const std::string& journal) {
   check(ship, settings);
-  Coefficients out;
+  SolverOutput out;
   out.ship = solvable(ship);
   out.omega = settings.omega;
   out.headings = settings.headings;

@@ -13,7 +13,7 @@ void add(const SurfaceMesh& mesh, Fnv1a& hash) {
 }
 
 /// Calls visit(numbers, count) for all that belongs to frequency i.
-void visitFrequency(Coefficients& c, std::size_t i, const auto& visit) {
+void visitFrequency(CoefficientTables& c, std::size_t i, const auto& visit) {
   const auto complex = [&](auto& m) {
     visit(reinterpret_cast<double*>(m.data()), 2 * static_cast<std::size_t>(m.size()));
   };
@@ -35,7 +35,7 @@ std::string hashOf(const SurfaceMesh& mesh) {
   return hash.digits();
 }
 
-std::uint64_t journalKey(const Coefficients& c, const SolveSettings& settings) {
+std::uint64_t journalKey(const CoefficientTables& c, const SolveSettings& settings) {
   Fnv1a hash;
   const auto numbers = [&hash](const double* data, std::size_t count) {
     hash.add(data, count * sizeof(double));
@@ -52,7 +52,7 @@ std::uint64_t journalKey(const Coefficients& c, const SolveSettings& settings) {
   return hash.value();
 }
 
-std::vector<double> packed(Coefficients& c, std::size_t i) {
+std::vector<double> packed(CoefficientTables& c, std::size_t i) {
   std::vector<double> numbers;
   visitFrequency(c, i, [&](const double* data, std::size_t count) {
     numbers.insert(numbers.end(), data, data + count);
@@ -60,7 +60,7 @@ std::vector<double> packed(Coefficients& c, std::size_t i) {
   return numbers;
 }
 
-void unpack(const std::vector<double>& numbers, Coefficients& c, std::size_t i) {
+void unpack(const std::vector<double>& numbers, CoefficientTables& c, std::size_t i) {
   const double* from = numbers.data();
   visitFrequency(c, i, [&](double* data, std::size_t count) {
     std::copy(from, from + count, data);

@@ -7,10 +7,10 @@ namespace cutwater {
 std::string hashOf(const SurfaceMesh& mesh);
 
 /// Hash of all that a finished frequency depends on.
-std::uint64_t journalKey(const Coefficients& c, const SolveSettings& settings);
+std::uint64_t journalKey(const CoefficientTables& c, const SolveSettings& settings);
 
 /// All numbers of frequency i in a row, and back. Sizes are those that `c` has room for.
-std::vector<double> packed(Coefficients& c, std::size_t i);
-void unpack(const std::vector<double>& numbers, Coefficients& c, std::size_t i);
+std::vector<double> packed(CoefficientTables& c, std::size_t i);
+void unpack(const std::vector<double>& numbers, CoefficientTables& c, std::size_t i);
 
 }  // namespace cutwater

@@ -1,6 +1,10 @@
 #pragma once
-#include "hydro/database/CoefficientsFile.h"
+#include <string>
+#include <vector>
+
+#include "hydro/database/Coefficients.h"
 #include "hydro/database/Hdf5.h"
+#include "hydro/database/ImpulseResponse.h"
 
 /// The root groups of a database file, in the layout that WEC-Sim's BEMIO defines and SEA-Stack
 /// (HydroChrono) reads. Internal to hydro/database.

@@ -89,7 +89,7 @@ class BemioWriter {
     excitation(group, total);
     excitation(group + "froude-krylov/", fk);
     excitation(group + "scattering/", scattering);
-    writeExcitationResponse(total);
+    if (c_.status != CoefficientStatus::Unfinished) writeExcitationResponse(total);
   }
 
  private:

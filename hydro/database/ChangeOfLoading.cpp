@@ -31,20 +31,11 @@ void checkMass(const ShipParticulars& ship, double mass) {
   }
 }
 
-double lengthOf(const ShipParticulars& ship) {
-  if (ship.wetSurface.vertices.empty()) return std::cbrt(ship.volume);
-  const Bounds b = bounds(ship.wetSurface);
-  return b.high.x() - b.low.x();
-}
-
 void checkCentre(const ShipParticulars& ship, const Vec3& cog) {
   if (!cog.allFinite()) refuse(Fault::ValueOutOfRange, "cog is not finite");
-  const double length = lengthOf(ship);
-  const Bounds wet = bounds(ship.wetSurface);
-  const double beam = ship.symmetric ? 2.0 * wet.high.y() : wet.high.y() - wet.low.y();
+  const double length = ship.length();
   for (const int axis : {0, 1}) {
-    const double across = ship.wetSurface.faces.empty() ? 0.1 * length : beam;
-    const double extent = axis == 0 ? length : across;
+    const double extent = axis == 0 ? length : ship.beam();
     const double miss = std::abs(cog[axis] - ship.centreOfBuoyancy[axis]);
     const double before = std::abs(ship.cog[axis] - ship.centreOfBuoyancy[axis]);
     if (miss > kTolerance * extent && miss > before + 1e-9 * length) {

@@ -72,6 +72,20 @@ class Check {
     }
   }
 
+  void status() const {
+    const bool finished = c_.status == CoefficientStatus::Finished;
+    const bool unfinished = c_.status == CoefficientStatus::Unfinished;
+    if (finished && !c_.hasConsistentLimit()) {
+      throw HydroError(Fault::DatabaseIncomplete,
+                       where_ + ": status is finished, but A(inf) is not the consistent one");
+    }
+    if (unfinished == c_.unfinishedBecause.empty()) {
+      throw HydroError(
+          Fault::DatabaseIncomplete,
+          where_ + ": the reason of unfinished coefficients is missing, or of others given");
+    }
+  }
+
   void mesh(const SurfaceMesh& mesh, const char* name) const {
     const auto count = static_cast<int>(mesh.vertices.size());
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -109,6 +123,7 @@ void checkCoefficients(const Coefficients& c, const std::string& where) {
   check.adjoints();
   check.table();
   check.mask();
+  check.status();
   check.mesh(c.ship.hull, "hull");
   check.mesh(c.ship.wetSurface, "wet surface");
   if (!(c.ship.density > 0.0 && c.ship.gravity > 0.0)) {

@@ -69,10 +69,10 @@ struct OverFrequency {
   }
 };
 
-/// All that solver and time domain share: hydrodynamic coefficients of one ship in deep water, at
-/// rest, with all that any forward speed needs. Forces and moments about G, modes and signs as in
-/// Conventions.h. Immutable once made.
-struct Coefficients {
+/// Hydrodynamics of one ship in deep water over a grid of frequencies, at rest, with all that any
+/// forward speed needs: what `Coefficients` and `SolverOutput` (SolverOutput.h) have in common. Forces
+/// and moments about G, modes and signs as in Conventions.h.
+struct CoefficientTables {
   ShipParticulars ship;
   Provenance provenance;
 
@@ -81,20 +81,20 @@ struct Coefficients {
   OverFrequency<Mat6> addedMass;  ///< A
   OverFrequency<Mat6> damping;    ///< B; 0 at both limits
 
-  /// Highest frequency whose waves the panels resolve [rad/s]; the solver's A, B,
-  /// ∂A, ∂B and adjoint vectors above it ring; applyMask and withConsistentLimit continue them from
-  /// there. 0: not known, every frequency is taken as good.
+  /// Highest frequency whose waves the panels resolve [rad/s]. Above it the solver's A, B, ∂A, ∂B and
+  /// adjoint vectors are not to be used; `finish` continues them from there. 0: not known, every
+  /// frequency counts as resolved.
   double resolvedOmega = 0.0;
+
+  /// A(∞) of the ω = ∞ boundary value problem itself, where `addedMass.atInfinity` holds the better
+  /// value that follows from A(ω) and B(ω) (finish/Finish.h); zero if it does not.
+  Mat6 addedMassInfDirect = Mat6::Zero();
+  /// `addedMass.atInfinity` is that better value, and A, B, ∂A, ∂B go on above `resolvedOmega`.
+  bool hasConsistentLimit() const { return !addedMassInfDirect.isZero(0.0); }
 
   /// Wave frequencies [rad/s] at which tables of excitation and RAOs are written unless others are
   /// asked for; increasing, within the range of `omega`. Empty: `omega` itself.
   std::vector<double> waveOmega;
-
-  /// A(∞) of the ω = ∞ boundary value problem itself, where `addedMass.atInfinity` holds the better value
-  /// that follows from A(ω) and B(ω) (finish/ConsistentLimit.h); zero if it does not.
-  Mat6 addedMassInfDirect = Mat6::Zero();
-  /// It does: withConsistentLimit has been here, and A, B, ∂A, ∂B go on above `resolvedOmega`.
-  bool hasConsistentLimit() const { return !addedMassInfDirect.isZero(0.0); }
 
   /// ∂A, ∂B: the x-derivative integrals of theory section 1; empty if not computed.
   OverFrequency<Mat6> addedMassX, dampingX;
@@ -129,6 +129,42 @@ struct Coefficients {
 
   /// ‖D‖·‖D⁻¹‖ of the even and odd systems (a hull without symmetry fills only `conditionEven`).
   std::vector<double> conditionEven, conditionOdd;
+
+ protected:  // neither kind can be copied into the other
+  CoefficientTables() = default;
+  CoefficientTables(const CoefficientTables&) = default;
+  CoefficientTables(CoefficientTables&&) = default;
+  CoefficientTables& operator=(const CoefficientTables&) = default;
+  CoefficientTables& operator=(CoefficientTables&&) = default;
+  ~CoefficientTables() = default;
 };
+
+/// What coefficients are good for.
+enum class CoefficientStatus {
+  Given,      ///< put together by a program or by another code; used as they are
+  Finished,   ///< solved, and made consistent by `finish`: good for everything
+  Unfinished  ///< solved on too coarse a grid for a memory: for the frequency domain only
+};
+/// What files and commands call them.
+inline constexpr EnumNames<3> kCoefficientStatusNames{"given", "finished", "unfinished"};
+
+struct SolverOutput;
+
+/// All that solver and time domain share, and what a database file holds. Obtained from
+/// `readCoefficients` (CoefficientsFile.h) or `solve` (solve/Solve.h); immutable once made.
+struct Coefficients : CoefficientTables {
+  Coefficients() = default;
+
+  CoefficientStatus status = CoefficientStatus::Given;
+  std::string unfinishedBecause;  ///< in one line, with what would do; empty unless Unfinished
+
+ private:
+  explicit Coefficients(SolverOutput&& output);
+  friend Coefficients finish(SolverOutput output);  // finish/Finish.h: the one way from the solver
+};
+
+/// Refuses unfinished coefficients, for what needs a memory.
+/// @param forWhat  begins the message.  @throws HydroError DatabaseIncomplete with the reason.
+void requireFinished(const Coefficients& coefficients, const char* forWhat);
 
 }  // namespace cutwater

@@ -100,18 +100,18 @@ Coefficients readOwn(const hdf5::Reader& reader) {
   if (version == 1) {
     throw HydroError(Fault::VersionNotSupported,
                      fmt::format("{}: format version 1, written by an older Cutwater; solve again "
-                                 "(this one reads version {})",
-                                 reader.path(), kFormatVersion));
+                                 "(this one reads versions {} to {})",
+                                 reader.path(), kOldestFormatVersion, kFormatVersion));
   }
   const std::string written = reader.attributeText(kGroup, kChecksum);
   const std::string found = hdf5::contentHash(reader.file());
-  if (version != kFormatVersion || found != written) {
+  if (version < kOldestFormatVersion || found != written) {
     throw HydroError(Fault::FileMalformed,
                      fmt::format("{}: damaged or changed since it was written (checksum {}, {} "
                                  "expected)",
                                  reader.path(), found.empty() ? "unreadable" : found, written));
   }
-  return readCutwaterGroup(reader);
+  return readCutwaterGroup(reader, version);
 }
 
 std::string joinedWarning(const std::string& path, const Coefficients& c,

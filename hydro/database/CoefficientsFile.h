@@ -1,17 +1,10 @@
 #pragma once
 #include <string>
-#include <vector>
 
 #include "hydro/database/Coefficients.h"
+#include "hydro/database/ImpulseResponse.h"
 
 namespace cutwater {
-
-/// K(iΔτ), i = 0, 1, …, for programs that read it from the file instead of making it from B; made
-/// by RetardationMatrix::table.
-struct ImpulseResponse {
-  double step = 0.0;         ///< Δτ [s]
-  std::vector<Mat6> values;  ///< [unit of B / s]
-};
 
 /// Writes a ship's database, HDF5: root groups in the layout of BEMIO, for WEC-Sim and SEA-Stack
 /// (HydroChrono); all of `coefficients`, to the last bit, in the group /cutwater, with a

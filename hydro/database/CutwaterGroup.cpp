@@ -120,6 +120,9 @@ class GroupWriter {
   void operator()(const std::string& name, const ForwardSpeedForm& value) {
     (*this)(name, std::string(nameOf(kForwardSpeedNames, value)));
   }
+  void operator()(const std::string& name, const CoefficientStatus& value) {
+    (*this)(name, std::string(nameOf(kCoefficientStatusNames, value)));
+  }
 
  private:
   hdf5::Writer& writer_;
@@ -156,16 +159,24 @@ class GroupReader {
     value = reader_.text("cutwater/" + name);
   }
   void operator()(const std::string& name, ForwardSpeedForm& value) {
-    const std::string word = reader_.text("cutwater/" + name);
-    const auto form = fromName<ForwardSpeedForm>(kForwardSpeedNames, word);
-    if (!form) {
-      throw HydroError(Fault::FileMalformed,
-                       fmt::format("{}: cutwater/{} = \"{}\"", reader_.path(), name, word));
-    }
-    value = *form;
+    named(name, kForwardSpeedNames, value);
+  }
+  void operator()(const std::string& name, CoefficientStatus& value) {
+    named(name, kCoefficientStatusNames, value);
   }
 
  private:
+  template <class Names, class Enum>
+  void named(const std::string& name, const Names& names, Enum& value) {
+    const std::string found = reader_.text("cutwater/" + name);
+    const auto known = fromName<Enum>(names, found);
+    if (!known) {
+      throw HydroError(Fault::FileMalformed,
+                       fmt::format("{}: cutwater/{} = \"{}\"", reader_.path(), name, found));
+    }
+    value = *known;
+  }
+
   const hdf5::Reader& reader_;
 };
 
@@ -228,6 +239,26 @@ void transfer(Store&& store, C& c) {
   store("condition_odd", c.conditionOdd);
 }
 
+/// What version 3 added.
+template <class Store, class C>
+void transferStatus(Store&& store, C& c) {
+  store("status", c.status);
+  store("unfinished_because", c.unfinishedBecause);
+}
+
+/// Version 2 did not say: `cutwater solve` wrote a database without a consistent A(∞) if its grid was too
+/// coarse, and a program that did not finish its coefficients wrote one as well.
+void deduceStatus(Coefficients& c) {
+  if (c.hasConsistentLimit()) {
+    c.status = CoefficientStatus::Finished;
+    return;
+  }
+  c.status = CoefficientStatus::Unfinished;
+  c.unfinishedBecause = "written by version " + c.provenance.version +
+                        " on too coarse a frequency grid, or by a program that did not finish it; "
+                        "solve again";
+}
+
 /// A store that only looks: every number finite.
 class FiniteCheck {
  public:
@@ -253,12 +284,20 @@ class FiniteCheck {
 }  // namespace
 
 void writeCutwaterGroup(hdf5::Writer& writer, const Coefficients& coefficients) {
-  transfer(GroupWriter(writer), coefficients);
+  GroupWriter store(writer);
+  transfer(store, coefficients);
+  transferStatus(store, coefficients);
 }
 
-Coefficients readCutwaterGroup(const hdf5::Reader& reader) {
+Coefficients readCutwaterGroup(const hdf5::Reader& reader, std::int64_t version) {
   Coefficients coefficients;
-  transfer(GroupReader(reader), coefficients);
+  GroupReader store(reader);
+  transfer(store, coefficients);
+  if (version >= 3) {
+    transferStatus(store, coefficients);
+  } else {
+    deduceStatus(coefficients);
+  }
   return coefficients;
 }
 

@@ -6,11 +6,14 @@
 /// conventions, to the last bit. Internal to hydro/database.
 namespace cutwater {
 
-inline constexpr std::int64_t kFormatVersion = 2;
+/// 2: 0.1.0. 3: status. Every change raises it.
+inline constexpr std::int64_t kFormatVersion = 3, kOldestFormatVersion = 2;
 
 void writeCutwaterGroup(hdf5::Writer& writer, const Coefficients& coefficients);
+/// Version 2 has no status: coefficients without a consistent A(∞) are then unfinished.
+/// @param version of the file, kOldestFormatVersion to kFormatVersion.
 /// @throws HydroError DatabaseIncomplete, FileMalformed.
-Coefficients readCutwaterGroup(const hdf5::Reader& reader);
+Coefficients readCutwaterGroup(const hdf5::Reader& reader, std::int64_t version);
 
 /// Refuses numbers that are not finite. @throws HydroError ValueOutOfRange.
 void checkFinite(const Coefficients& coefficients, const std::string& where);

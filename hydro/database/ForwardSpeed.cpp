@@ -17,7 +17,7 @@ struct AtRest {
   Mat6 addedMass, damping, addedMassX, dampingX;
 };
 
-AtRest atRest(const Coefficients& c, double omega, double speed, ForwardSpeedForm form) {
+AtRest atRest(const CoefficientTables& c, double omega, double speed, ForwardSpeedForm form) {
   if (!std::isfinite(speed)) {
     throw HydroError(Fault::ValueOutOfRange, fmt::format("atSpeed: speed = {} m/s", speed));
   }
@@ -60,7 +60,7 @@ SpeedCoefficients limit(const AtRest& rest, double speed, bool infinite) {
 
 }  // namespace
 
-ForwardSpeedForm usableForm(const Coefficients& c) {
+ForwardSpeedForm usableForm(const CoefficientTables& c) {
   const bool derivatives =
       !c.addedMassX.empty() && !c.dampingX.empty() && (c.adjoint.empty() || !c.adjointX.empty());
   return derivatives ? c.forwardSpeed : ForwardSpeedForm::Tuck;
@@ -86,7 +86,7 @@ SpeedCoefficients atSpeed(const Mat6& addedMass, const Mat6& damping, const Mat6
   return combined({addedMass, damping, T * addedMass, T * damping}, omega, speed);
 }
 
-SpeedCoefficients atSpeed(const Coefficients& c, double omega, double speed,
+SpeedCoefficients atSpeed(const CoefficientTables& c, double omega, double speed,
                           ForwardSpeedForm form) {
   const AtRest rest = atRest(c, omega, speed, form);
   if (speed == 0.0) return {rest.addedMass, rest.damping};
@@ -94,7 +94,8 @@ SpeedCoefficients atSpeed(const Coefficients& c, double omega, double speed,
   return limit(rest, speed, omega > 0.0);
 }
 
-CMat6 radiationImpedance(const Coefficients& c, double omega, double speed, ForwardSpeedForm form) {
+CMat6 radiationImpedance(const CoefficientTables& c, double omega, double speed,
+                         ForwardSpeedForm form) {
   if (!std::isfinite(omega)) {
     throw HydroError(Fault::ValueOutOfRange,
                      fmt::format("radiationImpedance: omega = {} rad/s", omega));

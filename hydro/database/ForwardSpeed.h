@@ -28,20 +28,20 @@ SpeedCoefficients atSpeed(const Mat6& addedMass, const Mat6& damping, const Mat6
 /// A_j5, A_j6 that grow as (U/ω)² are NaN; B(U) = U(A Tᵀ − ∂A), ∞ alike.
 /// @throws HydroError ValueOutOfRange (ω < 0, NaN; U not finite), DatabaseIncomplete: the report's
 ///         form at U ≠ 0 needs ∂A and ∂B.
-SpeedCoefficients atSpeed(const Coefficients& coefficients, double omega, double speed,
+SpeedCoefficients atSpeed(const CoefficientTables& coefficients, double omega, double speed,
                           ForwardSpeedForm form);
 
 /// −ω²A(U) + iωB(U) [N/m, …], the water's part of the equations of motion (5). Unlike A(U) it is
 /// finite at ω = 0, where it is the stiffness −U²∂A(0)Tᵀ.                        [M03] (43), (45)
 /// @param omega ω_e, 0 ≤ ω_e < ∞.  @throws as atSpeed.
-CMat6 radiationImpedance(const Coefficients& coefficients, double omega, double speed,
+CMat6 radiationImpedance(const CoefficientTables& coefficients, double omega, double speed,
                          ForwardSpeedForm form);
 
 /// Tuck's F^U from F^ω: F^U_5 = iF^ω_3, F^U_6 = −iF^ω_2, others 0 (F_D = ω′F^ω + U F^U).
 CVec6 tuckSpeedForce(const CVec6& omegaForce);
 
 /// The database's own form; Tuck's if it lacks the x-derivatives that the report's needs.
-ForwardSpeedForm usableForm(const Coefficients& coefficients);
+ForwardSpeedForm usableForm(const CoefficientTables& coefficients);
 
 /// T: T_53 = 1, T_62 = −1.
 Mat6 tuckMatrix();

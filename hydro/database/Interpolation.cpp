@@ -11,9 +11,9 @@ namespace cutwater {
 
 namespace {
 
-using Adjoint = Coefficients::AdjointVectors;
+using Adjoint = CoefficientTables::AdjointVectors;
 
-void checkOmega(const char* function, const Coefficients& c, double omega) {
+void checkOmega(const char* function, const CoefficientTables& c, double omega) {
   if (c.omega.empty()) {
     throw HydroError(Fault::DatabaseIncomplete, fmt::format("{}: no frequencies", function));
   }
@@ -21,9 +21,16 @@ void checkOmega(const char* function, const Coefficients& c, double omega) {
     throw HydroError(Fault::ValueOutOfRange,
                      fmt::format("{}: omega = {} rad/s, must be >= 0", function, omega));
   }
+  const bool limit = omega == 0.0 || std::isinf(omega);
+  if (c.omega.size() == 1 && !limit && std::abs(omega - c.omega.front()) > 1e-9 * omega) {
+    throw HydroError(Fault::ValueOutOfRange,
+                     fmt::format("{}: omega = {} rad/s, the database holds one frequency, {}",
+                                 function, omega, c.omega.front()));
+  }
 }
 
-void requireData(const char* function, const Coefficients& c, std::size_t count, const char* what) {
+void requireData(const char* function, const CoefficientTables& c, std::size_t count,
+                 const char* what) {
   if (count == c.omega.size()) return;
   throw HydroError(Fault::DatabaseIncomplete,
                    fmt::format("{}: the database holds no {}", function, what));
@@ -45,7 +52,7 @@ T beyond(const T& last, const OverFrequency<T>& quantity, double u, Ends ends) {
 /// The one interpolation: local cubic of the quantity (Ends::Vanish: of it over ω) through its limit at ω = 0,
 /// if it is known, and its values at the first `count` frequencies.
 template <class T>
-T interpolated(const Coefficients& c, const OverFrequency<T>& quantity, Ends ends,
+T interpolated(const CoefficientTables& c, const OverFrequency<T>& quantity, Ends ends,
                std::size_t count, double omega) {
   const double last = c.omega[count - 1];
   if (omega > last) return beyond(quantity[count - 1], quantity, last / omega, ends);
@@ -69,11 +76,11 @@ T interpolated(const Coefficients& c, const OverFrequency<T>& quantity, Ends end
 }
 
 /// How many of ∂A, ∂B are good: all once they are continued, which goes with a consistent A(∞).
-std::size_t goodCountX(const Coefficients& c) {
+std::size_t goodCountX(const CoefficientTables& c) {
   return c.hasConsistentLimit() ? c.omega.size() : resolvedCount(c);
 }
 
-Adjoint vectorsAt(const char* function, const Coefficients& c,
+Adjoint vectorsAt(const char* function, const CoefficientTables& c,
                   const OverFrequency<Adjoint>& vectors, double omega) {
   if (vectors.atInfinity.cols() > 0)
     return interpolated(c, vectors, Ends::Limits, resolvedCount(c), omega);
@@ -89,7 +96,7 @@ Adjoint vectorsAt(const char* function, const Coefficients& c,
 
 }  // namespace
 
-std::size_t resolvedCount(const Coefficients& c) {
+std::size_t resolvedCount(const CoefficientTables& c) {
   if (!(c.resolvedOmega > 0.0)) return c.omega.size();
   constexpr std::ptrdiff_t kLeast = 8;
   const auto end = std::upper_bound(c.omega.begin(), c.omega.end(), c.resolvedOmega * (1.0 + 1e-9));
@@ -116,35 +123,35 @@ LocalCubic localCubic(std::span<const double> nodes, double x) {
   return local;
 }
 
-Mat6 addedMassAt(const Coefficients& c, double omega) {
+Mat6 addedMassAt(const CoefficientTables& c, double omega) {
   checkOmega("addedMassAt", c, omega);
   return interpolated(c, c.addedMass, Ends::Limits, c.omega.size(), omega);
 }
 
-Mat6 dampingAt(const Coefficients& c, double omega) {
+Mat6 dampingAt(const CoefficientTables& c, double omega) {
   checkOmega("dampingAt", c, omega);
   return interpolated(c, c.damping, Ends::Vanish, c.omega.size(), omega);
 }
 
-Mat6 addedMassXAt(const Coefficients& c, double omega) {
+Mat6 addedMassXAt(const CoefficientTables& c, double omega) {
   checkOmega("addedMassXAt", c, omega);
   requireData("addedMassXAt", c, c.addedMassX.size(), "x-derivatives (added_mass_x)");
   return interpolated(c, c.addedMassX, Ends::Limits, goodCountX(c), omega);
 }
 
-Mat6 dampingXAt(const Coefficients& c, double omega) {
+Mat6 dampingXAt(const CoefficientTables& c, double omega) {
   checkOmega("dampingXAt", c, omega);
   requireData("dampingXAt", c, c.dampingX.size(), "x-derivatives (damping_x)");
   return interpolated(c, c.dampingX, Ends::Vanish, goodCountX(c), omega);
 }
 
-Coefficients::AdjointVectors adjointAt(const Coefficients& c, double omega) {
+CoefficientTables::AdjointVectors adjointAt(const CoefficientTables& c, double omega) {
   checkOmega("adjointAt", c, omega);
   requireData("adjointAt", c, c.adjoint.size(), "adjoint vectors (adjoint)");
   return vectorsAt("adjointAt", c, c.adjoint, omega);
 }
 
-Coefficients::AdjointVectors adjointXAt(const Coefficients& c, double omega) {
+CoefficientTables::AdjointVectors adjointXAt(const CoefficientTables& c, double omega) {
   checkOmega("adjointXAt", c, omega);
   requireData("adjointXAt", c, c.adjointX.size(), "adjoint vectors of d/dx (adjoint_x)");
   return vectorsAt("adjointXAt", c, c.adjointX, omega);

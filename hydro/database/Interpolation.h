@@ -19,34 +19,35 @@ LocalCubic localCubic(std::span<const double> nodes, double x);
 /// How many of the frequencies the panels resolve (Coefficients::resolvedOmega): what lies above is
 /// neither interpolated nor transformed. All of them if that is not known or would leave fewer than
 /// eight, too few to say anything.
-std::size_t resolvedCount(const Coefficients& coefficients);
+std::size_t resolvedCount(const CoefficientTables& coefficients);
 
 /// A(ω) at any ω ≥ 0 [rad/s], ω = ∞ included: local cubic through A(0) and the data; beyond the
 /// last frequency Ω the limit is approached as A(∞) + (A(Ω) − A(∞))(Ω/ω)², since A(ω) −
 /// A(∞) falls as −K(0)/ω².
-/// @throws HydroError ValueOutOfRange (ω < 0 or NaN), DatabaseIncomplete (no frequencies).
-Mat6 addedMassAt(const Coefficients& coefficients, double omega);
+/// @throws HydroError ValueOutOfRange (ω < 0 or NaN; of a database with one frequency any ω but that, 0
+///         and ∞), DatabaseIncomplete (no frequencies).
+Mat6 addedMassAt(const CoefficientTables& coefficients, double omega);
 
 /// B(ω) at any ω ≥ 0: ω times a local cubic of B/ω through 0 at ω = 0, as B vanishes faster than ω
 /// and forward speed divides it by ω; beyond Ω it falls as (Ω/ω)³.
 /// @throws as addedMassAt.
-Mat6 dampingAt(const Coefficients& coefficients, double omega);
+Mat6 dampingAt(const CoefficientTables& coefficients, double omega);
 
-/// ∂A(ω) and ∂B(ω) at any ω ≥ 0, as A and B: ∂A through ∂A(0), ∂B as B. Unless withConsistentLimit
-/// (finish/ConsistentLimit.h) has continued them, Ω is here the last frequency that the panels resolve
+/// ∂A(ω) and ∂B(ω) at any ω ≥ 0, as A and B: ∂A through ∂A(0), ∂B as B. Unless `finish`
+/// (finish/Finish.h) has continued them, Ω is here the last frequency that the panels resolve
 /// (Coefficients::resolvedOmega): beyond it the solver's own ring.
 /// @throws as addedMassAt; DatabaseIncomplete if the database holds no x-derivatives.
-Mat6 addedMassXAt(const Coefficients& coefficients, double omega);
-Mat6 dampingXAt(const Coefficients& coefficients, double omega);
+Mat6 addedMassXAt(const CoefficientTables& coefficients, double omega);
+Mat6 dampingXAt(const CoefficientTables& coefficients, double omega);
 
 /// Adjoint vectors b_j of F^ω at ω ≥ 0, 6 × panels (Coefficients::adjoint): local cubic through b(0)
 /// and the data up to Ω, the last frequency that the panels resolve; beyond it
 /// b(∞) + (b(Ω) − b(∞))(Ω/ω)². Without b(0) the first vectors are held below their frequency.
 /// @throws HydroError ValueOutOfRange (ω < 0, NaN; beyond the last frequency without b(∞)),
 ///         DatabaseIncomplete (none in the database).
-Coefficients::AdjointVectors adjointAt(const Coefficients& coefficients, double omega);
+CoefficientTables::AdjointVectors adjointAt(const CoefficientTables& coefficients, double omega);
 
 /// b^x_j of F^U, likewise (Coefficients::adjointX).
-Coefficients::AdjointVectors adjointXAt(const Coefficients& coefficients, double omega);
+CoefficientTables::AdjointVectors adjointXAt(const CoefficientTables& coefficients, double omega);
 
 }  // namespace cutwater

@@ -87,7 +87,7 @@ CVec6 mixed(const Bracket& b, const LocalCubic& cubic, Value value) {
   return b.mirrored ? reversedOddModes(sum) : sum;
 }
 
-void checkOmega(const Coefficients& c, double omegaI) {
+void checkOmega(const CoefficientTables& c, double omegaI) {
   if (!c.omega.empty() && omegaI > 0.0 && omegaI <= c.omega.back() * (1.0 + 1e-9)) return;
   refuse(Fault::ValueOutOfRange, fmt::format("omega = {} rad/s is outside 0..{} of the database",
                                              omegaI, c.omega.empty() ? 0.0 : c.omega.back()));
@@ -95,7 +95,7 @@ void checkOmega(const Coefficients& c, double omegaI) {
 
 }  // namespace
 
-WaveExcitation::WaveExcitation(const Coefficients& coefficients,
+WaveExcitation::WaveExcitation(const CoefficientTables& coefficients,
                                std::optional<ForwardSpeedForm> form)
     : coefficients_(coefficients), form_(form.value_or(coefficients.forwardSpeed)) {
   if (!coefficients.ship.wetSurface.faces.empty()) {
@@ -106,7 +106,7 @@ WaveExcitation::WaveExcitation(const Coefficients& coefficients,
 }
 
 WaveExcitation::Force WaveExcitation::at(double omegaI, double heading, double speed) const {
-  const Coefficients& c = coefficients_;
+  const CoefficientTables& c = coefficients_;
   checkOmega(c, omegaI);
   if (!std::isfinite(speed)) refuse(Fault::ValueOutOfRange, fmt::format("speed = {} m/s", speed));
   const ShipParticulars& ship = c.ship;
@@ -131,7 +131,7 @@ CVec6 WaveExcitation::froudeKrylov(double omegaI, double heading) const {
 }
 
 CVec6 WaveExcitation::fromVectors(const AiryWave& wave, double speed) const {
-  const Coefficients& c = coefficients_;
+  const CoefficientTables& c = coefficients_;
   const Encounter met(wave, speed);
   const IncidentVelocity v = atEncounter(incidentNormalVelocity(panels_, wave, c.ship.cog), met);
   const CVec6 omegaForce = diffractionForce(adjointAt(c, met.frequency()), v);
@@ -180,7 +180,7 @@ CVec6 WaveExcitation::fromDiffractionTable(const AiryWave& wave, double speed) c
 }
 
 WaveExcitation::Force WaveExcitation::fromTables(double omegaI, double heading) const {
-  const Coefficients& c = coefficients_;
+  const CoefficientTables& c = coefficients_;
   if (c.headings.empty() || c.froudeKrylov.empty()) {
     refuse(Fault::DatabaseIncomplete, "the database has no wave excitation");
   }

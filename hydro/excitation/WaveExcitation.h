@@ -33,7 +33,7 @@ class WaveExcitation {
 
   /// @param coefficients must outlive this object.
   /// @param form  of the forward-speed terms; absent: the database's own.
-  explicit WaveExcitation(const Coefficients& coefficients,
+  explicit WaveExcitation(const CoefficientTables& coefficients,
                           std::optional<ForwardSpeedForm> form = {});
 
   /// @param omegaI ω_I [rad/s], 0 < ω_I ≤ the database's last frequency, whose waves the panels are
@@ -52,7 +52,7 @@ class WaveExcitation {
   CVec6 fromDiffractionTable(const AiryWave& wave, double speed) const;
   Force fromTables(double omegaI, double heading) const;
 
-  const Coefficients& coefficients_;
+  const CoefficientTables& coefficients_;
   ForwardSpeedForm form_;
   PanelMesh panels_;  // the solver's
   PanelMesh faces_;   // its surface without gaps, for F_I

@@ -13,8 +13,10 @@ namespace cutwater {
 namespace {
 
 const Coefficients& checked(const std::shared_ptr<const Coefficients>& coefficients) {
-  if (coefficients) return *coefficients;
-  throw HydroError(Fault::BadArgument, "Hydrodynamics: no coefficients (null pointer)");
+  if (!coefficients)
+    throw HydroError(Fault::BadArgument, "Hydrodynamics: no coefficients (null pointer)");
+  requireFinished(*coefficients, "Hydrodynamics");
+  return *coefficients;
 }
 
 Bounds boundsOf(const ShipParticulars& ship) {

@@ -9,8 +9,8 @@
 #include "hydro/Errors.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/database/Interpolation.h"
-#include "hydro/finish/ConsistentLimit.h"
 #include "hydro/memory/FourierPieces.h"
+#include "hydro/memory/MiddleBand.h"
 
 namespace cutwater {
 
@@ -39,6 +39,15 @@ double medianStep(const std::vector<double>& nodes) {
   return *middle;
 }
 
+std::optional<Mat6> meanOverMiddleBand(const Coefficients& c,
+                                       const std::function<Mat6(std::size_t frequency)>& value) {
+  const std::vector<Mat6> values = overMiddleBand(c, value);
+  if (values.empty()) return {};
+  Mat6 sum = Mat6::Zero();
+  for (const Mat6& one : values) sum += one;
+  return sum / static_cast<double>(values.size());
+}
+
 /// The functions of those pairs (j, k) that do not vanish by symmetry.
 template <class Value>
 struct Sampler {
@@ -65,6 +74,7 @@ Sampler(std::span<const double>, const Vec6&, Value)->Sampler<Value>;
 RetardationMatrix::RetardationMatrix(const Coefficients& coefficients,
                                      std::optional<ForwardSpeedForm> form)
     : form_(form.value_or(coefficients.forwardSpeed)) {
+  requireFinished(coefficients, "RetardationMatrix");
   const Vec6 scale = dampingScale(coefficients);
   const std::size_t count = std::min(resolvedCount(coefficients), coefficients.damping.size());
   const auto& B = coefficients.damping;
@@ -100,7 +110,7 @@ void RetardationMatrix::addSpeedTerms(const Coefficients& c, const Vec6& scale) 
     // With a consistent limit it is that mean already, of ∂A before it went over to ∂B's.
     addedMassXInf_ = c.hasConsistentLimit()
                          ? c.addedMassX.atInfinity
-                         : meanOverBand(c, seen).value_or(c.addedMassX.atInfinity);
+                         : meanOverMiddleBand(c, seen).value_or(c.addedMassX.atInfinity);
   }
   hasSpeedTerms_ = true;
   rise_ = ofX(Level::Remaining, 0.0);

@@ -2,7 +2,8 @@
 #include <optional>
 #include <vector>
 
-#include "hydro/database/CoefficientsFile.h"
+#include "hydro/database/Coefficients.h"
+#include "hydro/database/ImpulseResponse.h"
 #include "hydro/memory/RetardationFunction.h"
 #include "hydro/memory/SpeedParts.h"
 
@@ -21,7 +22,7 @@ using SpeedKernels = SpeedParts<Mat6>;
 /// forward-speed terms (Tuck's: ∂B = TB, ∂A = TA). D equals the report's (2/π)∫[∂A − ∂A^∞] cos ωτ dω, as
 /// what is causal has both; taken from ∂B it begins at 0 and its tail dies one power faster.
 /// ∂A^∞ is that which belongs to ∂A(ω) and ∂B(ω): ∂A^∞ = ∂A(ω) + (1/ω)∫₀^∞ ∂K sin ωτ dτ, averaged over the
-/// middle of the band (ConsistentLimit.h).
+/// middle of the band (MiddleBand.h).
 ///
 /// A and B are symmetrised first: they are symmetric but for the
 /// solver's discretisation error, the mean of B_jk and B_kj is the better value, and a symmetric

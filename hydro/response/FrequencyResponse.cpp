@@ -34,7 +34,7 @@ Eigen::VectorXcd solved(const CMat6& system, const std::vector<int>& free, const
 
 }  // namespace
 
-FrequencyResponse::FrequencyResponse(const Coefficients& coefficients,
+FrequencyResponse::FrequencyResponse(const CoefficientTables& coefficients,
                                      std::array<bool, 6> restrained,
                                      std::optional<ForwardSpeedForm> form)
     : coefficients_(coefficients),

@@ -21,7 +21,8 @@ class FrequencyResponse {
   /// @param form         of the forward-speed terms; absent: the database's own.
   /// @throws HydroError DatabaseIncomplete: a rotation is free and its radius of gyration is 0, not
   ///         known (a plain BEMIO file has none).
-  explicit FrequencyResponse(const Coefficients& coefficients, std::array<bool, 6> restrained = {},
+  explicit FrequencyResponse(const CoefficientTables& coefficients,
+                             std::array<bool, 6> restrained = {},
                              std::optional<ForwardSpeedForm> form = {});
 
   /// η̂ [m/m, rad/m] about G per metre of wave amplitude, crest over G's mean position at t = 0.
@@ -31,7 +32,7 @@ class FrequencyResponse {
   CVec6 at(double omegaI, double heading, double speed = 0.0) const;
 
  private:
-  const Coefficients& coefficients_;
+  const CoefficientTables& coefficients_;
   ForwardSpeedForm form_;
   WaveExcitation excitation_;
   std::array<bool, 6> restrained_;

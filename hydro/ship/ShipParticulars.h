@@ -33,6 +33,9 @@ struct ShipParticulars {
 
   /// Rigid-body mass matrix about G: diag(m, m, m, m r_xx², m r_yy², m r_zz²).
   Mat6 massMatrix() const;
+  /// Of the wet surface, along and across [m]; without one the cube root of the volume and a tenth of it.
+  double length() const;
+  double beam() const;
 };
 
 }  // namespace cutwater

@@ -1,17 +1,14 @@
 #pragma once
-#include "hydro/database/Coefficients.h"
 #include "hydro/geometry/shapes/Shapes.h"
+#include "hydro/ship/Afloat.h"
 
 namespace cutwater::test {
 
-/// The frigate's port half below water, with what the solver asks of a ship.
+/// The frigate of so many panels, with what solver and time domain ask of a ship; its supplementary terms
+/// are none.
 inline ShipParticulars frigateAfloat(const FrigateDivision& division) {
-  ShipParticulars ship;
-  ship.wetSurface = wetFrigate(division.along, division.girth);
-  ship.symmetric = true;
-  ship.cog = Vec3(-2.4165, 0.0, 1.29);
-  ship.volume = 4509.0;
-  return ship;
+  const PanelledHull hull{{}, wetFrigate(division.along, division.girth), true};
+  return afloat(hull, {.cog = Vec3(-2.4165, 0.0, 1.29), .gyradii = Vec3(5.82, 28.8, 28.8)}).ship;
 }
 
 }  // namespace cutwater::test

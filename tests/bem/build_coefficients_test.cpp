@@ -24,8 +24,8 @@ SolveSettings fewFrequencies(int threads) {
 }
 
 TEST(BuildCoefficientsIdentity, SameBitsWhateverTheNumberOfThreads) {
-  const Coefficients one = buildCoefficients(smallShip(), fewFrequencies(1));
-  const Coefficients three = buildCoefficients(smallShip(), fewFrequencies(3));
+  const SolverOutput one = buildCoefficients(smallShip(), fewFrequencies(1));
+  const SolverOutput three = buildCoefficients(smallShip(), fewFrequencies(3));
   for (std::size_t i = 0; i < one.omega.size(); ++i) {
     EXPECT_EQ(one.addedMass[i], three.addedMass[i]);
     EXPECT_EQ(one.damping[i], three.damping[i]);
@@ -41,7 +41,7 @@ TEST(BuildCoefficientsIdentity, SameBitsWhateverTheNumberOfThreads) {
 TEST(BuildCoefficientsIdentity, SameBitsWhenInterruptedAndResumed) {
   const std::string journal = ::testing::TempDir() + "resumed.sweep";
   std::remove(journal.c_str());
-  const Coefficients whole = buildCoefficients(smallShip(), fewFrequencies(1));
+  const SolverOutput whole = buildCoefficients(smallShip(), fewFrequencies(1));
   struct Stop {};
   const auto stopAtTwo = [](int done, int) {
     if (done == 2) throw Stop{};
@@ -49,7 +49,7 @@ TEST(BuildCoefficientsIdentity, SameBitsWhenInterruptedAndResumed) {
   EXPECT_THROW(buildCoefficients(smallShip(), fewFrequencies(1), stopAtTwo, journal), Stop);
   int first = -1;
   const auto noteFirst = [&first](int done, int) { first = first < 0 ? done : first; };
-  const Coefficients resumed =
+  const SolverOutput resumed =
       buildCoefficients(smallShip(), fewFrequencies(2), noteFirst, journal);
   EXPECT_EQ(first, 2);
   for (std::size_t i = 0; i < whole.omega.size(); ++i) {
@@ -65,7 +65,7 @@ TEST(BuildCoefficientsIdentity, SameBitsWhenInterruptedAndResumed) {
 }
 
 TEST(BuildCoefficientsIdentity, AdjointVectorsReproduceTheDiffractionTable) {
-  const Coefficients c = buildCoefficients(smallShip(), fewFrequencies(2));
+  const SolverOutput c = buildCoefficients(smallShip(), fewFrequencies(2));
   const PanelMesh mesh = makePanels(c.ship.wetSurface, c.ship.symmetric);
   for (std::size_t h = 0; h < c.headings.size(); ++h)
     for (std::size_t i = 0; i < c.omega.size(); ++i) {
@@ -82,10 +82,10 @@ TEST(BuildCoefficientsIdentity, OffCentreGravityIsSolvedByTheWholeHull) {
   ShipParticulars ship = smallShip();
   SolveSettings settings = fewFrequencies(2);
   settings.lid = false;  // the lid of the whole hull need not be twice that of the half
-  const Coefficients centred = buildCoefficients(ship, settings);
+  const SolverOutput centred = buildCoefficients(ship, settings);
   const double off = 0.25;
   ship.cog.y() = off;
-  const Coefficients shifted = buildCoefficients(ship, settings);
+  const SolverOutput shifted = buildCoefficients(ship, settings);
   EXPECT_FALSE(shifted.ship.symmetric);
   EXPECT_EQ(shifted.ship.wetSurface.faces.size(), 2 * ship.wetSurface.faces.size());
   EXPECT_TRUE(shifted.conditionOdd.empty());

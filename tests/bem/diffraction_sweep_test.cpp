@@ -39,7 +39,7 @@ double worst(const DiffractionTable& a, const DiffractionTable& b) {
 }
 
 /// What the database gives back for the table's conditions, from its adjoint vectors.
-DiffractionTable read(const Coefficients& c, DiffractionTable table) {
+DiffractionTable read(const CoefficientTables& c, DiffractionTable table) {
   const WaveExcitation excitation(c);
   std::size_t place = 0;
   for (const double speed : table.speeds)
@@ -53,8 +53,8 @@ DiffractionTable read(const Coefficients& c, DiffractionTable table) {
 // At U = 16 m/s and 30° the ship is overtaking the shorter waves, so ω′ < 0 is among them.
 TEST(DiffractionSweepVerification, AdjointVectorsGiveEveryConditionOffTheGrid) {
   const ShipParticulars ship = frigate(26, 5);
-  const Coefficients direct = buildCoefficients(ship, settings(Influence::Direct, 0.1, 24));
-  const Coefficients adjoint = buildCoefficients(ship, settings(Influence::Adjoint, 0.1, 24));
+  const SolverOutput direct = buildCoefficients(ship, settings(Influence::Direct, 0.1, 24));
+  const SolverOutput adjoint = buildCoefficients(ship, settings(Influence::Adjoint, 0.1, 24));
   const double error = worst(direct.diffractionTable, read(adjoint, direct.diffractionTable));
   EXPECT_LT(error, 0.005);
   recordResult("diffraction",
@@ -64,7 +64,7 @@ TEST(DiffractionSweepVerification, AdjointVectorsGiveEveryConditionOffTheGrid) {
 
 // A database that holds the table instead gives it back to the last bit.
 TEST(DiffractionSweep, TableIsWhatTheExcitationReads) {
-  const Coefficients c = buildCoefficients(frigate(12, 4), settings(Influence::Direct, 0.5, 6));
+  const SolverOutput c = buildCoefficients(frigate(12, 4), settings(Influence::Direct, 0.5, 6));
   EXPECT_TRUE(c.adjoint.empty());
   const DiffractionTable& table = c.diffractionTable;
   const DiffractionTable again = read(c, table);
@@ -78,7 +78,7 @@ TEST(DiffractionSweep, TableIsWhatTheExcitationReads) {
 // resonates inside and the inverses serve as well.
 TEST(DiffractionSweepConvergence, InterpolatedMatricesAreOfSecondOrderInTheGrid) {
   const ShipParticulars ship = frigate(20, 5);
-  const Coefficients direct = buildCoefficients(ship, settings(Influence::Direct, 0.2, 12));
+  const SolverOutput direct = buildCoefficients(ship, settings(Influence::Direct, 0.2, 12));
   const auto error = [&](Influence influence, double step, int count) {
     return worst(direct.diffractionTable,
                  buildCoefficients(ship, settings(influence, step, count)).diffractionTable);
@@ -119,9 +119,9 @@ TEST(DiffractionSweepIdentity, MaskedFrequencyIsNoNode) {
     SolveSettings masked = settings(influence, 0.4, 5), without = masked;
     masked.conditionLimitEven = {{1.1, 1e12}, {1.19, 1.0}, {1.21, 1.0}, {1.3, 1e12}};
     without.omega.erase(without.omega.begin() + 2);  // 1.2 rad/s
-    const Coefficients all = buildCoefficients(ship, settings(influence, 0.4, 5));
-    const Coefficients left = buildCoefficients(ship, without);
-    const Coefficients found = buildCoefficients(ship, masked);
+    const SolverOutput all = buildCoefficients(ship, settings(influence, 0.4, 5));
+    const SolverOutput left = buildCoefficients(ship, without);
+    const SolverOutput found = buildCoefficients(ship, masked);
     EXPECT_EQ(worst(left.diffractionTable, found.diffractionTable), 0.0);
     EXPECT_GT(worst(all.diffractionTable, found.diffractionTable), 1e-3);
   }

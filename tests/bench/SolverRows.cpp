@@ -4,6 +4,7 @@
 #include "hydro/bem/solution/Diffraction.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/green/WaveTerm.h"
+#include "hydro/solve/Solve.h"
 #include "tests/bem/Bodies.h"
 #include "tests/bench/Rows.h"
 
@@ -38,7 +39,7 @@ double luFloor(const ShipParticulars& ship, const SolveSettings& settings) {
   return idle * luSeconds(hull) + busy * luSeconds(all);
 }
 
-double checksumOf(const Coefficients& c) {
+double checksumOf(const SolverOutput& c) {
   double sum = 0.0;
   for (const Mat6& a : c.addedMass) sum += a.trace() / c.ship.mass;
   for (const Mat6& b : c.damping) sum += b.trace() / c.ship.mass;
@@ -51,7 +52,7 @@ void benchDatabase(std::string& csv, const std::string& name, int panels, int th
   SolveSettings settings = sweep(60, threads);
   settings.lid = lid;
   Row row{name + (lid ? "" : ", no lid"), ship.wetSurface.faces.size(), threads};
-  Coefficients result;
+  SolverOutput result;
   row.seconds = secondsOf([&] { result = buildCoefficients(ship, settings); });
   row.floor = luFloor(ship, settings) / threads;
   row.budget = budget;
@@ -69,7 +70,7 @@ void benchFrequency(std::string& csv, int panels, int threads, int frequencies) 
   InfluenceSettings influence;
   influence.threads = threads;
   const double setUp = secondsOf([&] { const InfluenceMatrices matrices(mesh, influence); });
-  Coefficients result;
+  SolverOutput result;
   Row row{"seconds per frequency", ship.wetSurface.faces.size(), threads};
   const double all = secondsOf([&] { result = buildCoefficients(ship, settings); });
   row.seconds = (all - setUp) / frequencies + setUp / 60.0;
@@ -129,7 +130,7 @@ void benchParts(std::string& csv, int panels) {
   put("condition numbers", 2.0 * estimate, condition);
 
   SolveSettings settings = sweep(8, 1);
-  const Coefficients database = buildCoefficients(frigate(224), settings);
+  const Coefficients database = solve(frigate(224), settings);
   const std::string path = (std::filesystem::temp_directory_path() / "cutwater_bench.h5").string();
   put("output (8 frequencies of 224 panels)", secondsOf([&] { writeCoefficients(database, path); }),
       0.0);

@@ -9,31 +9,22 @@
 #include <string>
 
 #include "hydro/base/AtomicFile.h"
-#include "hydro/finish/ConsistentLimit.h"
-#include "hydro/geometry/Hydrostatics.h"
 #include "hydro/geometry/shapes/Shapes.h"
+#include "hydro/ship/Afloat.h"
+#include "hydro/solve/Solve.h"
 #include "tests/bench/Rows.h"
 
 namespace cutwater::bench {
 
 ShipParticulars frigate(int panels) {
   const FrigateDivision division = frigateDivision(panels);
-  ShipParticulars ship;
+  const PanelledHull hull{closedFrigate(division.along, division.girth),
+                          wetFrigate(division.along, division.girth), true};
+  Loading loading{.cog = {0.0, 0.0, 1.29}, .level = true, .gyradii = Vec3(5.82, 28.8, 28.8)};
+  loading.supplementary.damping[Roll] = 2e7;
+  loading.supplementary.stiffness[Yaw] = 2e9;
+  ShipParticulars ship = afloat(hull, loading).ship;
   ship.name = "frigate";
-  ship.hull = closedFrigate(division.along, division.girth);
-  ship.wetSurface = wetFrigate(division.along, division.girth);
-  ship.symmetric = true;
-  const SurfaceMesh whole = joined(ship.wetSurface, mirroredInY(ship.wetSurface));
-  ship.cog = hydrostatics(whole, Vec3::Zero(), ship.density, ship.gravity).buoyancy;
-  ship.cog.z() = 1.29;
-  const Hydrostatics afloat = hydrostatics(whole, ship.cog, ship.density, ship.gravity);
-  ship.mass = afloat.displacement;
-  ship.volume = afloat.volume;
-  ship.centreOfBuoyancy = afloat.buoyancy;
-  ship.restoring = afloat.restoring;
-  ship.gyradii = Vec3(5.82, 28.8, 28.8);
-  ship.supplementary.damping[Roll] = 2e7;
-  ship.supplementary.stiffness[Yaw] = 2e9;
   return ship;
 }
 
@@ -65,7 +56,7 @@ int main(int argc, char** argv) try {
   using namespace cutwater::bench;
   std::string csv =
       "name,panels,threads,seconds,floor_seconds,budget_seconds,checksum,ratio_to_floor\n";
-  const Coefficients coefficients = readyForUse(buildCoefficients(frigate(224), sweep(60, 0)));
+  const Coefficients coefficients = solve(frigate(224), sweep(60, 0));
   benchTimeDomain(csv, coefficients);
   benchSolver(csv);
   if (argc == 3) {

@@ -9,6 +9,7 @@
 
 #include "hydro/Errors.h"
 #include "hydro/database/CoefficientsFile.h"
+#include "hydro/database/Hdf5.h"
 #include "tests/database/SampleShip.h"
 
 namespace cutwater::test {
@@ -71,6 +72,17 @@ class Edit {
     const hid_t group = H5Gopen2(file_, "cutwater", H5P_DEFAULT);
     const hid_t attribute = H5Aopen(group, "format_version", H5P_DEFAULT);
     EXPECT_GE(H5Awrite(attribute, H5T_NATIVE_INT64, &value), 0);
+    H5Aclose(attribute);
+    H5Gclose(group);
+  }
+  /// As if the file had been written so.
+  void renewChecksum() {
+    const std::string sum = hdf5::contentHash(file_);
+    const hid_t group = H5Gopen2(file_, "cutwater", H5P_DEFAULT);
+    const hid_t attribute = H5Aopen(group, "checksum", H5P_DEFAULT), type = H5Aget_type(attribute);
+    EXPECT_EQ(H5Tget_size(type), sum.size() + 1);  // and the zero
+    EXPECT_GE(H5Awrite(attribute, type, sum.c_str()), 0);
+    H5Tclose(type);
     H5Aclose(attribute);
     H5Gclose(group);
   }

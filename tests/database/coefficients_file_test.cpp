@@ -182,7 +182,7 @@ TEST_F(CoefficientsFile, ChangedNumberIsRefusedWhereverItStands) {
 
 TEST_F(CoefficientsFile, NewerVersionIsRefused) {
   writeCoefficients(sampleShip(), path());
-  Edit(path()).version(3);
+  Edit(path()).version(4);
   EXPECT_EQ(faultOf(path()), Fault::VersionNotSupported);
 }
 
@@ -191,6 +191,46 @@ TEST_F(CoefficientsFile, FirstVersionIsRefused) {
   writeCoefficients(sampleShip(), path());
   Edit(path()).version(1);
   EXPECT_EQ(faultOf(path()), Fault::VersionNotSupported);
+}
+
+TEST_F(CoefficientsFile, StatusAndReasonComeBack) {
+  Coefficients c = sampleShip();
+  c.status = CoefficientStatus::Finished;
+  c.addedMassInfDirect = c.addedMass.atInfinity;
+  writeCoefficients(c, path());
+  EXPECT_EQ(readCoefficients(path()).status, CoefficientStatus::Finished);
+  c.addedMassInfDirect.setZero();
+  c.status = CoefficientStatus::Unfinished;
+  c.unfinishedBecause = "steps of 0.2 rad/s are too coarse";
+  writeCoefficients(c, path());
+  const Coefficients back = readCoefficients(path());
+  EXPECT_EQ(back.status, CoefficientStatus::Unfinished);
+  EXPECT_EQ(back.unfinishedBecause, c.unfinishedBecause);
+}
+
+// A status that the numbers contradict, or a reason without its status.
+TEST_F(CoefficientsFile, AStatusThatCannotBeIsRefused) {
+  for (const auto& [status, reason] : {std::pair{CoefficientStatus::Finished, ""},
+                                       {CoefficientStatus::Unfinished, ""},
+                                       {CoefficientStatus::Given, "too coarse"}}) {
+    Coefficients c = sampleShip();
+    c.addedMassInfDirect.setZero();
+    c.status = status;
+    c.unfinishedBecause = reason;
+    EXPECT_THROW(writeCoefficients(c, path()), HydroError) << reason;
+  }
+  EXPECT_EQ(files(), 0u);
+}
+
+// A time domain that reads K and f from the file must not find any.
+TEST_F(CoefficientsFile, UnfinishedDatabasesHoldNoImpulseResponses) {
+  Coefficients c = sampleShip();
+  writeCoefficients(c, path());
+  EXPECT_TRUE(hdf5::Reader(path()).has("body1/hydro_coeffs/excitation/impulse_response_fun/f"));
+  c.status = CoefficientStatus::Unfinished;
+  c.unfinishedBecause = "one frequency";
+  writeCoefficients(c, path());
+  EXPECT_FALSE(hdf5::Reader(path()).has("body1/hydro_coeffs/excitation/impulse_response_fun/f"));
 }
 
 TEST_F(CoefficientsFile, SizesThatDoNotMatchAreRefused) {

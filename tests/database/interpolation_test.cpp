@@ -91,14 +91,5 @@ TEST(InterpolationClosedForm, AdjointVectorsGoThroughTheirLimits) {
   EXPECT_NEAR(std::abs(adjointXAt(c, 5.0)(0, 0) - (inf + 0.25 * (resolved - inf))), 0.0, 1e-12);
 }
 
-TEST(ShipParticulars, MassMatrixIsThatOfTheGyradii) {
-  ShipParticulars ship;
-  ship.mass = 3.0;
-  ship.gyradii = {1.0, 2.0, 4.0};
-  Vec6 diagonal;
-  diagonal << 3.0, 3.0, 3.0, 3.0, 12.0, 48.0;
-  EXPECT_EQ(ship.massMatrix(), Mat6(diagonal.asDiagonal()));
-}
-
 }  // namespace
 }  // namespace cutwater

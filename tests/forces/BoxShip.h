@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "hydro/database/Coefficients.h"
-#include "hydro/geometry/Hydrostatics.h"
 #include "hydro/geometry/shapes/Shapes.h"
+#include "hydro/ship/Afloat.h"
 
 namespace cutwater::test {
 
@@ -12,17 +12,9 @@ inline constexpr double kBoxGravity = 9.81, kBoxDensity = 1000.0;
 // A box 20 × 6 × 2 m with given A and B: no solver is needed to test what forces do with them.
 inline Coefficients boxShip(const Vec3& cog = Vec3(0.5, 0.0, 0.3)) {
   Coefficients c;
-  c.ship.wetSurface = wetBox({20.0, 6.0, 2.0, 1.0}, 16, 4, 3);
-  c.ship.symmetric = true;
-  c.ship.cog = cog;
-  c.ship.gyradii = Vec3(2.0, 5.0, 5.0);
-  c.ship.density = kBoxDensity;
-  c.ship.gravity = kBoxGravity;
-  const SurfaceMesh whole = joined(c.ship.wetSurface, mirroredInY(c.ship.wetSurface));
-  const Hydrostatics afloat = hydrostatics(whole, c.ship.cog, kBoxDensity, kBoxGravity);
-  c.ship.mass = afloat.displacement;
-  c.ship.volume = afloat.volume;
-  c.ship.restoring = afloat.restoring;
+  c.ship = afloat({{}, wetBox({20.0, 6.0, 2.0, 1.0}, 16, 4, 3), true},
+                  {.cog = cog, .gyradii = Vec3(2.0, 5.0, 5.0)}, {kBoxDensity, kBoxGravity})
+               .ship;
   for (int i = 1; i <= 40; ++i) {
     const double omega = 0.1 * i;
     c.omega.push_back(omega);

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "hydro/database/ForwardSpeed.h"
-#include "hydro/geometry/Hydrostatics.h"
 #include "hydro/response/FrequencyResponse.h"
+#include "hydro/ship/Afloat.h"
 
 namespace cutwater::test {
 namespace {
@@ -14,20 +14,10 @@ namespace {
 constexpr double kGravity = 9.81, kDensity = 1000.0;
 
 ShipParticulars particulars(const SurfaceMesh& wet) {
-  ShipParticulars ship;
-  ship.wetSurface = wet;
-  ship.symmetric = true;
-  ship.cog = Vec3(0.0, 0.0, 0.17 - 0.1875);  // 0.17 m above the keel
-  ship.density = kDensity;
-  ship.gravity = kGravity;
-  ship.mass = kDensity * kWigleyVolume;
-  ship.gyradii = Vec3(0.105, 0.75, 0.75);  // of roll: held here
-  const Hydrostatics afloat =
-      hydrostatics(joined(wet, mirroredInY(wet)), ship.cog, kDensity, kGravity);
-  ship.volume = afloat.volume;
-  ship.centreOfBuoyancy = afloat.buoyancy;
-  ship.restoring = afloat.restoring;
-  return ship;
+  const Loading loading{.mass = kDensity * kWigleyVolume,
+                        .cog = Vec3(0.0, 0.0, 0.17 - 0.1875),  // 0.17 m above the keel
+                        .gyradii = Vec3(0.105, 0.75, 0.75)};   // of roll: held here
+  return afloat({{}, wet, true}, loading, {kDensity, kGravity}).ship;
 }
 
 }  // namespace
@@ -40,7 +30,7 @@ double HeadWave::omegaE() const { return encounterFrequency(omegaI(), speed(), k
 double reducedFrequency(double omega) { return omega * std::sqrt(kWigleyLength / kGravity); }
 double omegaOf(double reduced) { return reduced * std::sqrt(kGravity / kWigleyLength); }
 
-Coefficients solveWigley(const SurfaceMesh& wet, std::vector<double> omega,
+SolverOutput solveWigley(const SurfaceMesh& wet, std::vector<double> omega,
                          SolveSettings settings) {
   std::sort(omega.begin(), omega.end());
   const auto same = [](double a, double b) { return b - a < 1e-9 * b; };
@@ -49,7 +39,7 @@ Coefficients solveWigley(const SurfaceMesh& wet, std::vector<double> omega,
   return buildCoefficients(particulars(wet), settings);
 }
 
-std::map<std::string, double> reducedCoefficients(const Coefficients& solved, double omegaE,
+std::map<std::string, double> reducedCoefficients(const SolverOutput& solved, double omegaE,
                                                   double speed, ForwardSpeedForm form) {
   const SpeedCoefficients at = atSpeed(solved, omegaE, speed, form);
   const double unit = kDensity * kWigleyVolume, time = std::sqrt(kWigleyLength / kGravity);
@@ -64,7 +54,7 @@ std::map<std::string, double> reducedCoefficients(const Coefficients& solved, do
   return values;
 }
 
-std::map<std::string, double> response(const Coefficients& solved, const HeadWave& wave,
+std::map<std::string, double> response(const SolverOutput& solved, const HeadWave& wave,
                                        ForwardSpeedForm form) {
   auto values = reducedCoefficients(solved, wave.omegaE(), wave.speed(), form);
   const Mat6& restoring = solved.ship.restoring;
@@ -78,7 +68,7 @@ std::map<std::string, double> response(const Coefficients& solved, const HeadWav
   return values;
 }
 
-std::map<std::string, double> mixedMotions(const Coefficients& solved, const HeadWave& wave,
+std::map<std::string, double> mixedMotions(const SolverOutput& solved, const HeadWave& wave,
                                            ForwardSpeedForm radiation,
                                            ForwardSpeedForm excitation) {
   const double omega = wave.omegaE();

@@ -27,20 +27,20 @@ double omegaOf(double reduced);
 
 /// Coefficients of the hull at exactly these frequencies [rad/s], in any order: nothing below is
 /// interpolated.
-Coefficients solveWigley(const SurfaceMesh& wet, std::vector<double> omega,
+SolverOutput solveWigley(const SurfaceMesh& wet, std::vector<double> omega,
                          SolveSettings settings = {});
 
 /// a33 = A33/ρV, b33 = B33/ρV·√(L/g), a35 = A35/ρVL, a55 = A55/ρVL², … at speed, by name.
-std::map<std::string, double> reducedCoefficients(const Coefficients& solved, double omegaE,
+std::map<std::string, double> reducedCoefficients(const SolverOutput& solved, double omegaE,
                                                   double speed, ForwardSpeedForm form);
 
 /// Those, X3 = |F3|/C33, X5 = |F5|/(k C55), and of the hull free in heave and pitch alone heave =
 /// |η3| and pitch = |η5|/k per metre of wave amplitude.
-std::map<std::string, double> response(const Coefficients& solved, const HeadWave& wave,
+std::map<std::string, double> response(const SolverOutput& solved, const HeadWave& wave,
                                        ForwardSpeedForm form);
 
 /// heave and pitch with A, B in one form and F_I + F_D in another.
-std::map<std::string, double> mixedMotions(const Coefficients& solved, const HeadWave& wave,
+std::map<std::string, double> mixedMotions(const SolverOutput& solved, const HeadWave& wave,
                                            ForwardSpeedForm radiation, ForwardSpeedForm excitation);
 
 }  // namespace cutwater::test

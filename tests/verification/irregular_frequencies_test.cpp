@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "hydro/bem/BuildCoefficients.h"
 #include "hydro/database/IrregularFrequencies.h"
 #include "hydro/geometry/shapes/Shapes.h"
+#include "hydro/solve/Solve.h"
 #include "tests/support/Results.h"
 
 // Two ways round the resonances of the water inside the hull: a lid that has none, and a mask over
@@ -38,7 +38,7 @@ Coefficients solved(const Hull& hull, bool lid, bool mask) {
   settings.xDerivatives = false;
   if (mask) settings.conditionLimitEven = hull.even, settings.conditionLimitOdd = hull.odd;
   settings.threads = 2;
-  return applyMask(buildCoefficients(ship, settings));
+  return solve(ship, settings);
 }
 
 /// Largest difference of A_jj and B_jj/ω, as a fraction of A_jj's maximum, where `where` is true.

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "hydro/Errors.h"
-#include "hydro/bem/BuildCoefficients.h"
 #include "hydro/database/ChangeOfLoading.h"
-#include "hydro/geometry/Hydrostatics.h"
 #include "hydro/geometry/shapes/Shapes.h"
+#include "hydro/ship/Afloat.h"
+#include "hydro/solve/Solve.h"
 
 namespace cutwater {
 namespace {
@@ -13,24 +13,9 @@ constexpr double kRho = 1000.0, kG = 9.81;
 
 // A box of 64 panels a side; whole: solved without symmetry.
 ShipParticulars box(const Vec3& cog, bool whole) {
-  ShipParticulars ship;
-  ship.wetSurface = wetBox({20.0, 6.0, 2.0, 1.0}, 8, 3, 2);
-  ship.symmetric = true;
-  const SurfaceMesh both = joined(ship.wetSurface, mirroredInY(ship.wetSurface));
-  if (whole) {
-    ship.wetSurface = welded(both, 1e-9);
-    ship.symmetric = false;
-  }
-  ship.cog = cog;
-  ship.density = kRho;
-  ship.gravity = kG;
-  const Hydrostatics afloat = hydrostatics(both, cog, kRho, kG);
-  ship.mass = afloat.displacement;
-  ship.volume = afloat.volume;
-  ship.centreOfBuoyancy = afloat.buoyancy;
-  ship.restoring = afloat.restoring;
-  ship.gyradii = Vec3(2.0, 5.0, 5.0);
-  return ship;
+  PanelledHull hull{{}, wetBox({20.0, 6.0, 2.0, 1.0}, 8, 3, 2), true};
+  if (whole) hull = {{}, wholeWet(hull), false};
+  return afloat(hull, {.cog = cog, .gyradii = Vec3(2.0, 5.0, 5.0)}, {kRho, kG}).ship;
 }
 
 Coefficients solvedAbout(const Vec3& cog, bool whole) {
@@ -38,7 +23,7 @@ Coefficients solvedAbout(const Vec3& cog, bool whole) {
   settings.omega = {0.6, 1.4};
   settings.headings = {0.7, kPi};
   settings.threads = 2;
-  return buildCoefficients(box(cog, whole), settings);
+  return solve(box(cog, whole), settings);
 }
 
 double distance(const Mat6& a, const Mat6& b) {

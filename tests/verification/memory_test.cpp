@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "hydro/bem/BuildCoefficients.h"
+#include "hydro/finish/Finish.h"
 #include "hydro/memory/RetardationMatrix.h"
 #include "tests/bem/Frigate.h"
 #include "tests/support/Results.h"
@@ -18,7 +19,7 @@ std::vector<double> tenths(int last) {
   return omega;
 }
 
-Coefficients frigate(int panels, double lidPanelLength, const std::vector<double>& omega) {
+SolverOutput frigate(int panels, double lidPanelLength, const std::vector<double>& omega) {
   SolveSettings settings;
   settings.omega = omega;
   settings.lidPanelLength = lidPanelLength;
@@ -32,7 +33,7 @@ struct Distance {
   double worst(int j, int k) const { return std::max(-least(j, k), most(j, k)); }
 };
 
-Distance distance(const Coefficients& c, const RetardationMatrix& memory, double last) {
+Distance distance(const SolverOutput& c, const RetardationMatrix& memory, double last) {
   const Mat6 limit = 0.5 * (c.addedMass.atInfinity + c.addedMass.atInfinity.transpose());
   const Vec6 size = limit.diagonal().cwiseSqrt();
   Distance d;
@@ -82,9 +83,9 @@ void record(const std::string& mesh, const Distance& d, const RetardationMatrix&
 TEST(MemoryVerification, CoarseFrigateGivesItsAddedMassAtInfinity) {
   std::vector<double> omega = tenths(20);
   for (int i = 0; i < 8; ++i) omega.push_back(2.25 + 0.25 * i);
-  const Coefficients c = frigate(224, 1.5, omega);
+  const SolverOutput c = frigate(224, 1.5, omega);
   EXPECT_GT(c.resolvedOmega, 3.6);
-  const RetardationMatrix memory(c);
+  const RetardationMatrix memory(finish(c));
   const Distance d = distance(c, memory, 4.0);
   for (int j = 0; j < 6; ++j)
     for (int k = j; k < 6; ++k) {
@@ -108,9 +109,9 @@ TEST(MemoryVerification, FrigateGivesItsAddedMassAtInfinity) {
   if (!fullSize()) GTEST_SKIP() << "full size only";
   double before = 1.0;
   for (const auto& [panels, lid] : {std::pair{433, 1.5}, std::pair{1040, 0.0}}) {
-    const Coefficients c = frigate(panels, lid, fineGrid());
+    const SolverOutput c = frigate(panels, lid, fineGrid());
     EXPECT_GT(c.resolvedOmega, 3.6);
-    const RetardationMatrix memory(c);
+    const RetardationMatrix memory(finish(c));
     const std::string mesh = std::to_string(panels) + " a side";
     const Distance d = distance(c, memory, 4.0);
     record(mesh, d, memory, panels == 1040 ? "<= 0.5" : "none");

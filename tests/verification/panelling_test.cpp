@@ -15,7 +15,7 @@
 namespace cutwater::test {
 namespace {
 
-Coefficients solved(const SurfaceMesh& wetPort, const std::vector<double>& omega) {
+SolverOutput solved(const SurfaceMesh& wetPort, const std::vector<double>& omega) {
   ShipParticulars ship;
   ship.wetSurface = wetPort;
   ship.symmetric = true;
@@ -29,7 +29,7 @@ Coefficients solved(const SurfaceMesh& wetPort, const std::vector<double>& omega
 
 /// Greatest difference over the frequencies, of the structured panels' greatest value; the frequencies in
 /// [from, to] are left out.
-double difference(const Coefficients& laid, const Coefficients& structured, char what, int mode,
+double difference(const SolverOutput& laid, const SolverOutput& structured, char what, int mode,
                   double from, double to) {
   double most = 0.0, off = 0.0;
   for (std::size_t i = 0; i < laid.omega.size(); ++i) {
@@ -51,8 +51,8 @@ constexpr double kGapFrom = 1.35, kGapTo = 1.7;
 
 void compare(const TestHull& hull, int count, const std::vector<double>& omega) {
   const SurfaceMesh panels = panelled(hull.hull, count, hull.name);
-  const Coefficients laid = solved(panels, omega);
-  const Coefficients structured = solved(hull.structured(count), omega);
+  const SolverOutput laid = solved(panels, omega);
+  const SolverOutput structured = solved(hull.structured(count), omega);
   const bool gap = hull.name == "catamaran";
   for (const char what : {'A', 'B'})
     for (const int mode : {2, 1}) {
@@ -87,7 +87,7 @@ TEST(PanellingVerification, AddedMassAndDampingAreThoseOfStructuredPanels) {
 /// Greatest differences of A22 and B22 from those of `fine`, the finely divided catamaran.
 void expectNearer(int count, const SurfaceMesh& fine, const std::vector<double>& omega) {
   const TestHull catamaran = testCatamaran();
-  const Coefficients exact = solved(fine, omega),
+  const SolverOutput exact = solved(fine, omega),
                      laid = solved(panelled(catamaran.hull, count, catamaran.name), omega),
                      structured = solved(catamaran.structured(count), omega);
   for (const char what : {'A', 'B'}) {

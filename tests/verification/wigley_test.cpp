@@ -67,7 +67,7 @@ Values distances(const SurfaceMesh& wet, const std::vector<OtherCode>& all,
                  const std::vector<OtherCode>& rows, const SolveSettings& settings) {
   std::vector<double> omega;
   for (const OtherCode& row : rows) omega.push_back(row.wave.omegaE());
-  const Coefficients solved = solveWigley(wet, omega, settings);
+  const SolverOutput solved = solveWigley(wet, omega, settings);
   Values worst;
   for (const OtherCode& row : rows) {
     const Values got = response(solved, row.wave, kReport);
@@ -190,7 +190,7 @@ TEST(WigleyVerification, OutlierOfTheOtherCodeIsAnIrregularFrequency) {
                "Capytaine beside its irregular frequency", itsOwn, "<= 5");
   EXPECT_GT(ours, 30.0);
   EXPECT_LE(itsOwn, 5.0);
-  const Coefficients without = solveWigley(wet, {omegaOf(5.4), omegaOf(6.1)}, asTheOtherCode());
+  const SolverOutput without = solveWigley(wet, {omegaOf(5.4), omegaOf(6.1)}, asTheOtherCode());
   EXPECT_GT(without.conditionEven[1], 10.0 * without.conditionEven[0]);
 }
 
@@ -215,7 +215,7 @@ TEST(WigleyVerification, TucksFormIsTheOtherCodes) {
     waves.push_back({table.number(i, "Fn"), table.number(i, "lambda_over_L")});
     omega.push_back(waves.back().omegaE());
   }
-  const Coefficients solved = solveWigley(shippedMesh(), omega, twoThreads());
+  const SolverOutput solved = solveWigley(shippedMesh(), omega, twoThreads());
   Values worst;
   for (std::size_t i = 0; i < waves.size(); ++i) {
     const HeadWave& wave = waves[i];
@@ -264,7 +264,7 @@ std::vector<Measured> experiment() {
   return rows;
 }
 
-double computed(const Coefficients& solved, const Measured& point, ForwardSpeedForm form) {
+double computed(const SolverOutput& solved, const Measured& point, ForwardSpeedForm form) {
   const Values values =
       point.inWaves()
           ? response(solved, point.wave(), form)
@@ -297,7 +297,7 @@ TEST(WigleyVerification, ExperimentsFavourTucksFormInHeaveAndTheReportsInPitchDa
     points.push_back(point);
     omega.push_back(point.omegaE());
   }
-  const Coefficients solved = solveWigley(shippedMesh(), omega, twoThreads());
+  const SolverOutput solved = solveWigley(shippedMesh(), omega, twoThreads());
   for (const Measured& point : points) {
     SCOPED_TRACE(point.label());
     const double report = computed(solved, point, kReport), tuck = computed(solved, point, kTuck);

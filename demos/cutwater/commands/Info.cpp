@@ -9,7 +9,7 @@
 #include "demos/cutwater/output/Csv.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/database/ForwardSpeed.h"
-#include "hydro/finish/ConsistentLimit.h"
+#include "hydro/finish/Finish.h"
 #include "hydro/memory/RadiationModel.h"
 
 namespace cutwater::command {
@@ -120,7 +120,7 @@ void listSpeed(Csv& csv, const Coefficients& c) {
 
 // How the time domain remembers: the fit's size and its distance from the convolution.
 void listMemory(Csv& csv, const Coefficients& c) {
-  if (c.omega.size() < 2) return;
+  if (c.omega.size() < 2 || c.status == CoefficientStatus::Unfinished) return;
   const RadiationModel model(c, MemoryModel::Exponential, usableForm(c));
   if (model.sum() == nullptr || model.sum()->size() == 0) return;
   list(csv, "memory_duration", csvNumber(model.retardation().duration()), "s");
@@ -135,6 +135,8 @@ void info(const std::string& database, const std::string& out) {
   const Coefficients c = readCoefficients(database, &warning);
   warn(warning);
   Csv csv("name,value,unit");
+  list(csv, "status", nameOf(kCoefficientStatusNames, c.status), "");
+  if (!c.unfinishedBecause.empty()) list(csv, "unfinished_because", c.unfinishedBecause, "");
   listShip(csv, c.ship);
   const auto number = [&](const std::string& name, double value, const std::string& unit) {
     list(csv, name, csvNumber(value), unit);

@@ -1,3 +1,5 @@
+#include "hydro/solve/Solve.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +13,8 @@
 #include "demos/cutwater/output/Progress.h"
 #include "hydro/Errors.h"
 #include "hydro/database/CoefficientsFile.h"
-#include "hydro/finish/ConsistentLimit.h"
+#include "hydro/finish/Finish.h"
+#include "hydro/memory/RetardationMatrix.h"
 
 namespace cutwater::command {
 
@@ -62,7 +65,7 @@ Coefficients solved(const ShipFile& ship, const std::string& journal) {
   Progress progress("solve");
   const Interruption interruption;
   bool first = true;
-  return buildCoefficients(
+  return cutwater::solve(
       ship.particulars, ship.solve,
       [&](int done, int total) {
         if (first && done > 0)
@@ -72,6 +75,15 @@ Coefficients solved(const ShipFile& ship, const std::string& journal) {
         interruption.check(journal, done, total);
       },
       journal);
+}
+
+// K for the readers of BEMIO; none of an unfinished database.
+ImpulseResponse impulseResponse(const std::string& path, const Coefficients& coefficients) {
+  constexpr double kStep = 0.05, kDuration = 30.0;  // [s]
+  ImpulseResponse response;
+  if (coefficients.status == CoefficientStatus::Unfinished) return response;
+  naming(path, [&] { response = RetardationMatrix(coefficients).table(kStep, kDuration); });
+  return response;
 }
 
 }  // namespace
@@ -87,7 +99,7 @@ void solve(const std::string& path, const std::string& database, int threads) {
              ship.solve.omega.size(), ship.solve.headings.size());
   const std::string journal = database + ".sweep";
   Coefficients coefficients;
-  naming(path, [&] { coefficients = readyForUse(solved(ship, journal)); });
+  naming(path, [&] { coefficients = solved(ship, journal); });
   if (const auto left = std::count(coefficients.masked.begin(), coefficients.masked.end(), 1);
       left > 0) {
     fmt::print(stderr, "solve: {} of {} frequencies masked and interpolated\n", left,
@@ -100,10 +112,9 @@ void solve(const std::string& path, const std::string& database, int threads) {
                     "{:.2f}; use a finer mesh",
                     path, coefficients.resolvedOmega, waveOmega.back()));
   }
-  constexpr double kStep = 0.05, kDuration = 30.0;  // of K for the readers of BEMIO [s]
-  ImpulseResponse memory;
-  naming(path, [&] { memory = RetardationMatrix(coefficients).table(kStep, kDuration); });
-  writeCoefficients(coefficients, database, memory);
+  for (const std::string& line : gridWarnings(coefficients))
+    warn(path + ": [solve] omega: " + line);
+  writeCoefficients(coefficients, database, impulseResponse(path, coefficients));
   std::error_code none;  // the database is safe, whatever becomes of the journal
   std::filesystem::remove(journal, none);
 }

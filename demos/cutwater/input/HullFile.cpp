@@ -9,11 +9,7 @@ namespace cutwater::command {
 
 PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& options,
                           std::optional<int> count) {
-  if (!count) {
-    Hull hull = readHull(mesh, options);
-    SurfaceMesh panels = wetSurface(hull);
-    return {std::move(hull.surface), std::move(panels), hull.symmetric};
-  }
+  if (!count) return panelledAsItIs(readHull(mesh, options));
   RepairedHull repaired = readRepaired(mesh, options);
   for (const std::string& line : repaired.done) fmt::print(stderr, "{}: {}\n", mesh, line);
   SurfaceMesh panels = panelled(repaired.hull, *count, mesh);
@@ -44,10 +40,6 @@ PanelledHull readHullSection(TomlFile& file, std::optional<int> count) {
   }
   hull.finish();
   return readPanelled(mesh, options, panels);
-}
-
-SurfaceMesh wholeWet(const PanelledHull& hull) {
-  return hull.symmetric ? bothHalves(hull.panels) : hull.panels;
 }
 
 }  // namespace cutwater::command

@@ -5,6 +5,7 @@
 
 #include "demos/cutwater/input/Toml.h"
 #include "hydro/files/MeshIO.h"
+#include "hydro/ship/Afloat.h"
 
 namespace cutwater::command {
 
@@ -12,13 +13,6 @@ namespace cutwater::command {
 inline const std::vector<std::string> kAxisNames{"x", "-x", "y", "-y", "z", "-z"};
 inline const std::vector<std::string> kUnitNames{"m", "mm", "cm", "ft", "in"};
 inline const std::vector<std::string> kSymmetryNames{"auto", "none", "half"};
-
-/// A hull and the panels of its wet part.
-struct PanelledHull {
-  SurfaceMesh surface;  ///< both sides, wet and dry
-  SurfaceMesh panels;   ///< of the port half if symmetric, else of both sides
-  bool symmetric = false;
-};
 
 /// Reads a mesh. With a count it is repaired and divided anew into about as many panels a side, and
 /// what was repaired is said on stderr; without, its faces below water are the panels.
@@ -28,8 +22,5 @@ PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& option
 
 /// The [hull] section of a SHIP.toml. `count` overrides its `panels`.
 PanelledHull readHullSection(TomlFile& file, std::optional<int> count = {});
-
-/// The panels of both sides, vertices shared.
-SurfaceMesh wholeWet(const PanelledHull& hull);
 
 }  // namespace cutwater::command

@@ -17,20 +17,26 @@ namespace {
 
 constexpr double kDegree = kPi / 180.0;
 
-void readMass(TomlSection mass, const Hydrostatics& afloat, ShipParticulars& ship) {
-  if (mass.isText("mass")) mass.text("mass", "auto", {"auto"});
-  const double displaced = afloat.displacement;
-  ship.mass = mass.isText("mass") ? displaced : mass.number("mass", displaced, 1e-9, 1e15);
+Loading readMass(TomlSection mass, const PanelledHull& hull) {
+  Loading loading;
+  if (mass.isText("mass")) {
+    mass.text("mass", "auto", {"auto"});
+  } else if (mass.has("mass")) {
+    loading.mass = mass.number("mass", 0.0, 1e-9, 1e15);
+  }
   if (!mass.has("cog")) {
+    const Vec3 buoyancy = afloat(hull).hydrostatics.buoyancy;
     mass.refuse("cog",
                 fmt::format("is missing; the centre of buoyancy is at [{:.3f}, {:.3f}, {:.3f}] m",
-                            afloat.buoyancy.x(), afloat.buoyancy.y(), afloat.buoyancy.z()));
+                            buoyancy.x(), buoyancy.y(), buoyancy.z()));
   }
-  ship.cog = mass.vector("cog", Vec3::Zero());
-  ship.gyradii =
-      mass.vector("gyradii", Vec3(0.35 * afloat.beam, 0.25 * afloat.length, 0.25 * afloat.length));
-  if (!(ship.gyradii.minCoeff() > 0.0)) mass.refuse("gyradii", "must be above 0");
+  loading.cog = mass.vector("cog", Vec3::Zero());
+  if (mass.has("gyradii")) {
+    loading.gyradii = mass.vector("gyradii", Vec3::Ones());
+    if (!(loading.gyradii->minCoeff() > 0.0)) mass.refuse("gyradii", "must be above 0");
+  }
   mass.finish();
+  return loading;
 }
 
 void readSupplementary(TomlSection section, Supplementary& terms) {
@@ -138,7 +144,6 @@ std::vector<double> headings(TomlSection& solve) {
 
 void readSolve(TomlSection solve, SolveSettings& settings) {
   settings.omega = frequencies(solve, "omega", 0.1, 6.0, 0.1);
-  if (settings.omega.size() < 2) solve.refuse("omega", "must hold at least 2 frequencies");
   settings.waveOmega = waveFrequencies(solve, settings.omega);
   settings.headings = headings(solve);
   settings.speeds = solve.numbers("speeds", {0.0}, 0.0, 100.0);
@@ -183,26 +188,20 @@ void warnIfUnbalanced(const std::string& path, const ShipFile& ship) {
 
 ShipFile readShipFile(const std::string& path) {
   TomlFile file(path);
-  ShipFile ship;
-  ShipParticulars& p = ship.particulars;
-  p.name = std::filesystem::absolute(path).parent_path().filename().string();
   const PanelledHull hull = readHullSection(file);
-  p.hull = hull.surface;
-  p.symmetric = hull.symmetric;
-  p.wetSurface = hull.panels;
-  const SurfaceMesh wet = wholeWet(hull);
+  TomlSection section = file.section("water");
+  Water water;
+  water.density = section.number("density", water.density, 1.0, 1e5);
+  water.gravity = section.number("gravity", water.gravity, 1e-3, 1e3);
+  section.finish();
+  Loading loading = readMass(file.section("mass"), hull);
+  readSupplementary(file.section("supplementary"), loading.supplementary);
 
-  TomlSection water = file.section("water");
-  p.density = water.number("density", kSeaWaterDensity, 1.0, 1e5);
-  p.gravity = water.number("gravity", kStandardGravity, 1e-3, 1e3);
-  water.finish();
-
-  readMass(file.section("mass"), hydrostatics(wet, Vec3::Zero(), p.density, p.gravity), p);
-  ship.hydrostatics = hydrostatics(wet, p.cog, p.density, p.gravity);
-  p.volume = ship.hydrostatics.volume;
-  p.centreOfBuoyancy = ship.hydrostatics.buoyancy;
-  p.restoring = ship.hydrostatics.restoring;
-  readSupplementary(file.section("supplementary"), p.supplementary);
+  ShipFile ship;
+  Afloat floating = afloat(hull, loading, water);
+  ship.particulars = std::move(floating.ship);
+  ship.hydrostatics = floating.hydrostatics;
+  ship.particulars.name = std::filesystem::absolute(path).parent_path().filename().string();
   readSolve(file.section("solve"), ship.solve);
   file.root().finish();
   warnIfUnbalanced(path, ship);

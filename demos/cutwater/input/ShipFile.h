@@ -1,8 +1,8 @@
 #pragma once
 #include <string>
 
-#include "hydro/bem/BuildCoefficients.h"
-#include "hydro/geometry/Hydrostatics.h"
+#include "hydro/bem/settings/SolveSettings.h"
+#include "hydro/ship/Afloat.h"
 
 namespace cutwater::command {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "hydro/bem/BuildCoefficients.h"
+#include "hydro/bem/settings/SolveSettings.h"
 
 namespace cutwater {
 

@@ -1,0 +1,18 @@
+#include "hydro/database/Coefficients.h"
+
+#include "hydro/Errors.h"
+#include "hydro/database/SolverOutput.h"
+
+namespace cutwater {
+
+Coefficients::Coefficients(SolverOutput&& output)
+    : CoefficientTables(static_cast<CoefficientTables&&>(output)) {}
+
+void requireFinished(const Coefficients& coefficients, const char* forWhat) {
+  if (coefficients.status != CoefficientStatus::Unfinished) return;
+  throw HydroError(
+      Fault::DatabaseIncomplete,
+      std::string(forWhat) + ": the database is unfinished: " + coefficients.unfinishedBecause);
+}
+
+}  // namespace cutwater

@@ -1,0 +1,73 @@
+#include "hydro/finish/Finish.h"
+
+#include <fmt/format.h>
+
+#include "hydro/finish/ConsistentLimit.h"
+#include "hydro/finish/GridNeeds.h"
+#include "hydro/finish/Mask.h"
+
+namespace cutwater {
+
+namespace {
+
+void symmetrise(Coefficients& c) {
+  c.provenance.settings +=
+      fmt::format("added_mass_asymmetry = {:.3g}\ndamping_asymmetry = {:.3g}\n",
+                  asymmetry(c.addedMass), asymmetry(c.damping));
+  for (auto* matrices : {&c.addedMass, &c.damping}) {
+    for (Mat6& m : *matrices) m = (0.5 * (m + m.transpose())).eval();
+  }
+}
+
+void setUnfinished(Coefficients& c, std::string reason) {
+  c.status = CoefficientStatus::Unfinished;
+  c.unfinishedBecause = std::move(reason);
+}
+
+}  // namespace
+
+Coefficients finish(SolverOutput output) {
+  Coefficients c(std::move(output));
+  symmetrise(c);
+  applyMask(c);
+  const GridNeeds grid(c);
+  if (c.omega.size() < 2) {
+    setUnfinished(c, singleFrequencyReason(grid));
+    return c;
+  }
+  // K, D and ∂A(∞) come from B, ∂A and ∂B alone: the new A(∞) does not change them.
+  const RetardationMatrix memory(c, ForwardSpeedForm::Report);
+  const ConsistentLimit limit = consistentLimit(c, memory);
+  if (limit.trusted && grid.leastCount) {
+    continueConsistently(c, memory, limit);
+    c.status = CoefficientStatus::Finished;
+  } else {
+    setUnfinished(c, unfinishedReason(grid, limit));
+  }
+  return c;
+}
+
+std::vector<std::string> gridWarnings(const Coefficients& c) {
+  if (c.status == CoefficientStatus::Unfinished) {
+    return {
+        "the database is unfinished, for coefficients, excitation and motions in the frequency "
+        "domain only: " +
+        c.unfinishedBecause};
+  }
+  std::vector<std::string> lines = GridNeeds(c).advice();
+  for (std::string& line : lines)
+    line = "the memory of a ship under way (K^UU) is not accurate: " + line;
+  return lines;
+}
+
+double asymmetry(const OverFrequency<Mat6>& matrices) {
+  Mat6 scale = Mat6::Zero(), worst = Mat6::Zero();
+  for (const Mat6& m : matrices) {
+    const Vec6 size = m.diagonal().cwiseAbs().cwiseSqrt();
+    scale = scale.cwiseMax(size * size.transpose());
+    worst = worst.cwiseMax((m - m.transpose()).cwiseAbs());
+  }
+  return (scale.array() > 0.0).select(worst.cwiseQuotient(scale), Mat6::Zero()).maxCoeff();
+}
+
+}  // namespace cutwater

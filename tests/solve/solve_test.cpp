@@ -1,0 +1,70 @@
+#include "hydro/solve/Solve.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hydro/Errors.h"
+#include "hydro/finish/Finish.h"
+#include "hydro/geometry/shapes/Shapes.h"
+#include "hydro/response/FrequencyResponse.h"
+#include "hydro/ship/Afloat.h"
+
+namespace cutwater {
+namespace {
+
+ShipParticulars floatingSphere() {
+  const PanelledHull hull{closedSphere(5.0, 12, 8), wetHemisphere(5.0, 12, 8), true};
+  return afloat(hull, {.cog = {0.0, 0.0, -1.0}, .gyradii = Vec3(3.0, 3.0, 3.0)}).ship;
+}
+
+SolveSettings upTo(int count) {
+  SolveSettings settings;
+  for (int i = 1; i <= count; ++i) settings.omega.push_back(0.3 * i);
+  settings.headings = {kPi};
+  settings.threads = 2;
+  return settings;
+}
+
+TEST(SolveIdentity, IsSolverAndFinishInOne) {
+  int last = 0;
+  const Coefficients made = solve(floatingSphere(), upTo(12), [&](int done, int) { last = done; });
+  const Coefficients parts = finish(buildCoefficients(floatingSphere(), upTo(12)));
+  EXPECT_EQ(last, 12);
+  EXPECT_EQ(made.status, CoefficientStatus::Finished);
+  EXPECT_EQ(made.addedMass.values, parts.addedMass.values);
+  EXPECT_EQ(made.damping.values, parts.damping.values);
+  EXPECT_EQ(made.addedMass.atInfinity, parts.addedMass.atInfinity);
+  EXPECT_EQ(made.adjoint.values, parts.adjoint.values);
+  EXPECT_EQ(made.provenance.settings, parts.provenance.settings);
+}
+
+// One frequency is solved, and at that frequency gives the motions and forces that a whole grid does:
+// the same numbers, as nothing is interpolated there.
+TEST(SolveIdentity, ASingleFrequencyWorksInTheFrequencyDomain) {
+  SolveSettings one = upTo(1);
+  one.omega = {0.9};
+  const Coefficients single = solve(floatingSphere(), one),
+                     whole = solve(floatingSphere(), upTo(12));
+  EXPECT_EQ(single.status, CoefficientStatus::Unfinished);
+  EXPECT_NE(single.unfinishedBecause.find("one frequency"), std::string::npos);
+  const CVec6 motion = FrequencyResponse(single).at(0.9, kPi),
+              expected = FrequencyResponse(whole).at(0.9, kPi);
+  EXPECT_GT(std::abs(expected[Heave]), 0.5);
+  EXPECT_LT((motion - expected).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT(
+      (WaveExcitation(single).at(0.9, 2.0).total() - WaveExcitation(whole).at(0.9, 2.0).total())
+          .norm(),
+      1e-12 * WaveExcitation(whole).at(0.9, 2.0).total().norm());
+}
+
+TEST(Solve, ASingleFrequencyAnswersForNoOther) {
+  SolveSettings one = upTo(1);
+  one.omega = {0.9};
+  const Coefficients single = solve(floatingSphere(), one);
+  EXPECT_THROW(FrequencyResponse(single).at(0.8, kPi), HydroError);
+  EXPECT_THROW(FrequencyResponse(single).at(0.9, kPi, 3.0), HydroError);  // ω_e is another
+}
+
+}  // namespace
+}  // namespace cutwater
