@@ -13,13 +13,16 @@ constexpr std::string_view kBetweenWords = " \t\r,";
 
 std::optional<double> number(std::string word) {
   std::replace_if(
-      word.begin(), word.end(), [](char c) { return c == 'd' || c == 'D'; }, 'e');
+      word.begin(), word.end(), [](char c) { return c == 'd' || c == 'D' || c == 'E'; }, 'e');
+  if (word.starts_with("+-")) return std::nullopt;
   const char* first = word.data() + (word.starts_with('+') ? 1 : 0);
   const char* last = word.data() + word.size();
   double value = 0.0;
   const auto [end, error] = std::from_chars(first, last, value);
   if (end != last || error == std::errc::invalid_argument) return std::nullopt;
-  return error == std::errc() ? value : std::numeric_limits<double>::infinity();
+  if (error == std::errc()) return value;
+  const bool tooSmall = word.find("e-") != std::string::npos;
+  return tooSmall ? 0.0 : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace

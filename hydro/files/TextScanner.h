@@ -7,7 +7,8 @@
 namespace cutwater {
 
 /// Numbers out of a text file, with the line of whatever is wrong. Commas count as blanks,
-/// Fortran's 1.0D+00 as a number. Not installed; used by the readers of geometry.
+/// Fortran's 1.0D+00 as a number; one too small for a double is 0, one too large infinite. Not
+/// installed; used by the readers of geometry.
 class TextScanner {
  public:
   /// @param text     must outlive the scanner.  @param name  of the file, for messages.
