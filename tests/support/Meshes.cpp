@@ -5,6 +5,26 @@
 #include <set>
 
 namespace cutwater::test {
+namespace {
+
+using Corners = std::vector<std::array<double, 3>>;
+
+/// Each face from its least corner on, sorted.
+std::vector<Corners> sortedFaces(const SurfaceMesh& mesh) {
+  std::vector<Corners> all;
+  for (const Face& f : mesh.faces) {
+    Corners& face = all.emplace_back();
+    for (int i = 0; i < f.size(); ++i) {
+      const Vec3& p = mesh.corner(f, i);
+      face.push_back({p.x(), p.y(), p.z()});
+    }
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+}  // namespace
 
 SurfaceMesh cubes(const std::vector<std::array<int, 3>>& cells) {
   const std::set<std::array<int, 3>> body(cells.begin(), cells.end());
@@ -51,6 +71,10 @@ SurfaceMesh shuffled(SurfaceMesh mesh) {
   std::shuffle(mesh.faces.begin(), mesh.faces.end(), random);
   for (Face& f : mesh.faces) std::rotate(f.v.begin(), f.v.begin() + 1, f.v.begin() + f.size());
   return mesh;
+}
+
+bool sameFaces(const SurfaceMesh& a, const SurfaceMesh& b) {
+  return sortedFaces(a) == sortedFaces(b);
 }
 
 Vec3 vectorAreaOf(const SurfaceMesh& mesh) {

@@ -21,6 +21,9 @@ SurfaceMesh openOnWater(SurfaceMesh mesh);
 /// The same faces in another order, each beginning with another of its corners.
 SurfaceMesh shuffled(SurfaceMesh mesh);
 
+/// Have both the same faces, to the last bit of every corner, in whatever order?
+bool sameFaces(const SurfaceMesh& a, const SurfaceMesh& b);
+
 /// Sum of the vector areas [m²]: zero for a closed surface.
 Vec3 vectorAreaOf(const SurfaceMesh& mesh);
 

@@ -10,6 +10,7 @@ constexpr int kRays = 48, kManyRays = 400;  // over the whole sphere
 constexpr std::size_t kFew = 8;             // faces of a patch for which many rays are asked
 constexpr int kSideways = 8;                // rays along calm water
 constexpr std::size_t kFaces = 200;         // looked at in one patch
+constexpr int kNoFace = -1;                 // at calm water a ray may meet the face it left
 constexpr double kGrazing = 0.1;            // a ray nearer to the face's plane says little
 
 /// Directions spread evenly over the sphere, by the golden angle.
@@ -33,7 +34,7 @@ double OutsideView::seen(const Vec3& from, const Vec3& direction, int face) cons
   for (int i = 0; i < kSideways; ++i) {
     const double angle = 2 * kPi * (i + 0.37) / kSideways;
     const Vec3 sideways(std::cos(angle), std::sin(angle), 0.0);
-    if (!tree_.meets(surface, sideways, face, reach_)) free += 1.0 / kSideways;
+    if (!tree_.meets(surface, sideways, kNoFace, reach_)) free += 1.0 / kSideways;
   }
   return free;
 }
