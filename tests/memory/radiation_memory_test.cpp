@@ -1,0 +1,137 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "hydro/Errors.h"
+#include "hydro/memory/RadiationMemory.h"
+#include "hydro/memory/RadiationModel.h"
+#include "tests/memory/CausalShip.h"
+
+// What holds for every memory, whichever way it remembers.
+namespace cutwater {
+namespace {
+
+constexpr double kTick = 0.05;  // [s]
+
+const RadiationModel& modelOf(MemoryModel memory) {
+  static const Coefficients ship = test::CausalShip().coefficients(0.1, 20.0);
+  static const RadiationModel sum(ship, MemoryModel::Exponential),
+      convolution(ship, MemoryModel::Convolution);
+  return memory == MemoryModel::Exponential ? sum : convolution;
+}
+
+class RadiationMemoryIdentity : public ::testing::TestWithParam<MemoryModel> {
+ protected:
+  std::unique_ptr<RadiationMemory> make(double step = kTick) const {
+    return modelOf(GetParam()).makeMemory(step);
+  }
+};
+
+/// A velocity in all six modes, no two ticks alike.
+Vec6 velocityAt(int n) {
+  Vec6 v;
+  for (int m = 0; m < 6; ++m) v[m] = std::sin(0.31 * n * (m + 1) + m) + 0.05 * m;
+  return v;
+}
+
+double sizeOfForce(RadiationMemory& memory) {
+  double size = 0.0;
+  for (int n = 0; n < 100; ++n) size = std::max(size, memory.advance(velocityAt(n), 2.0).norm());
+  memory.reset();
+  return size;
+}
+
+// The force is linear in the past: of a sum of two motions it is the sum of the forces. Round-off of sums of
+// some hundred terms that cancel by 1e3.
+TEST_P(RadiationMemoryIdentity, ForcesOfTwoMotionsAdd) {
+  const auto one = make(), other = make(), both = make();
+  const double round = 1e-11 * sizeOfForce(*one);
+  for (int n = 0; n < 200; ++n) {
+    const Vec6 a = velocityAt(n), b = velocityAt(3 * n + 7), sum = 2.0 * a - b;
+    const Vec6 apart = 2.0 * one->advance(a, 2.0) - other->advance(b, 2.0);
+    EXPECT_LT((both->advance(sum, 2.0) - apart).norm(), round) << n;
+  }
+}
+
+// Nothing is felt before it happens, and a motion that begins later is felt later, not otherwise.
+TEST_P(RadiationMemoryIdentity, WhatBeginsLaterIsFeltLater) {
+  const auto early = make(), late = make();
+  const double round = 1e-12 * sizeOfForce(*early);  // sums begin at another place of the ring
+  constexpr int kLater = 13;
+  for (int n = 0; n < kLater; ++n)
+    ASSERT_EQ(late->advance(Vec6::Zero(), 2.0), Vec6::Zero().eval()) << n;
+  for (int n = 0; n < 150; ++n) {
+    const Vec6 first = early->advance(velocityAt(n), 2.0);
+    EXPECT_LT((late->advance(velocityAt(n), 2.0) - first).norm(), round) << n;
+  }
+}
+
+// The speed of now weighs the whole past anew: the three parts of one memory give the force at every speed.
+TEST_P(RadiationMemoryIdentity, PartsGiveTheForceAtEverySpeed) {
+  const auto parts = make();
+  const double round = 1e-11 * sizeOfForce(*parts);
+  const std::array<double, 4> speeds{0.0, 1.5, 6.0, -2.0};
+  std::array<std::unique_ptr<RadiationMemory>, 4> memories;
+  for (auto& memory : memories) memory = make();
+  for (int n = 0; n < 100; ++n) {
+    const RadiationMemory::Parts now = parts->advanceParts(velocityAt(n));
+    for (std::size_t i = 0; i < speeds.size(); ++i) {
+      const Vec6 force = memories[i]->advance(velocityAt(n), speeds[i]);
+      EXPECT_LT((now.at(speeds[i]) - force).norm(), round * (1.0 + speeds[i] * speeds[i])) << n;
+    }
+  }
+}
+
+TEST_P(RadiationMemoryIdentity, WithoutASpeedTheShipIsAtRest) {
+  const auto one = make(), other = make();
+  for (int n = 0; n < 50; ++n)
+    ASSERT_EQ(one->advance(velocityAt(n)), other->advance(velocityAt(n), 0.0)) << n;
+}
+
+// The first tick feels ∫K over itself: a memory of any kind begins with −K(0) h η̇, and K(0) = (2/π)∫B dω
+// resists. These kernels begin flat, so that a tick leaves (h/2)² of them, 1e-4; the fit leaves 1e-3.
+TEST_P(RadiationMemoryIdentity, FirstTickIsResistedByTheKernelAtZero) {
+  const Mat6 K = modelOf(GetParam()).retardation().at(0.0);
+  const double h = 0.01;
+  for (int k = 0; k < 6; ++k) {
+    const Vec6 force = make(h)->advance(Vec6::Unit(k), 0.0);
+    EXPECT_LT((force + h * K.col(k)).norm(), 3e-3 * h * K.col(k).norm()) << k;
+    EXPECT_LT(force[k], 0.0) << k;
+  }
+}
+
+TEST_P(RadiationMemoryIdentity, FitsItsOwnStateAndNoOther) {
+  const auto memory = make(), finer = make(0.5 * kTick);
+  EXPECT_EQ(memory->step(), kTick);
+  for (int n = 0; n < 40; ++n) memory->advance(velocityAt(n), 2.0);
+  std::vector<double> state(memory->stateSize()), ofFiner(finer->stateSize());
+  memory->save(state);
+  finer->save(ofFiner);
+  EXPECT_TRUE(memory->fits(state));
+  EXPECT_FALSE(memory->fits(ofFiner));
+  EXPECT_FALSE(memory->fits({}));
+  std::vector<double> longer = state;
+  longer.push_back(0.0);
+  EXPECT_FALSE(memory->fits(longer));
+  try {
+    memory->restore(ofFiner);
+    FAIL() << "a state of another tick was taken";
+  } catch (const HydroError& error) {
+    EXPECT_EQ(error.fault(), Fault::BadArgument);
+  }
+  // What was refused has changed nothing.
+  std::vector<double> after(memory->stateSize());
+  memory->save(after);
+  EXPECT_EQ(after, state);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, RadiationMemoryIdentity,
+                         ::testing::Values(MemoryModel::Exponential, MemoryModel::Convolution),
+                         [](const auto& model) {
+                           return model.param == MemoryModel::Exponential ? "Exponential"
+                                                                          : "Convolution";
+                         });
+
+}  // namespace
+}  // namespace cutwater
