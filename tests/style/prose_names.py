@@ -24,7 +24,7 @@ LINK = re.compile(r"\]\(([^)#\s]+)[^)]*\)")
 TEST = re.compile(r"\bTEST(?:_F|_P)?\(\s*(\w+)\s*,\s*(\w+)")
 
 # Files that a reader makes by following the prose.
-READERS_OWN = {"run.toml", "panels.obj"}
+READERS_OWN = {"run.toml", "panels.obj", "frigate.obj"}
 # Names of Bullet, the C++ library and CMake.
 THEIRS = re.compile(r"(bt|CMAKE_)[A-Z]\w*|m_\w+|worldUserInfo|std")
 
