@@ -1,12 +1,8 @@
 #include "hydro/database/Coefficients.h"
 
 #include "hydro/Errors.h"
-#include "hydro/database/SolverOutput.h"
 
 namespace cutwater {
-
-Coefficients::Coefficients(SolverOutput&& output)
-    : CoefficientTables(static_cast<CoefficientTables&&>(output)) {}
 
 void requireFinished(const Coefficients& coefficients, const char* forWhat) {
   if (coefficients.status != CoefficientStatus::Unfinished) return;

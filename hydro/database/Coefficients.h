@@ -159,7 +159,7 @@ struct Coefficients : CoefficientTables {
   std::string unfinishedBecause;  ///< in one line, with what would do; empty unless Unfinished
 
  private:
-  explicit Coefficients(SolverOutput&& output);
+  explicit Coefficients(CoefficientTables&& tables) : CoefficientTables(std::move(tables)) {}
   friend Coefficients finish(SolverOutput output);  // finish/Finish.h: the one way from the solver
 };
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "demos/cutwater/output/Messages.h"
 #include "hydro/Errors.h"
 #include "hydro/database/Coefficients.h"
 #include "hydro/files/MeshIO.h"
@@ -59,16 +60,9 @@ const std::vector<double>& defaultWaveOmega(const Coefficients& coefficients);
 /// The database; prints the warning of a foreign file.
 /// @throws HydroError; UsageError for a speed outside 0..100 m/s.
 Coefficients readDatabase(const std::string& path, const SpeedOptions& moving);
-/// Runs `work`; its HydroErrors get the file's name in front.
-void naming(const std::string& file, const std::function<void()>& work);
 /// "X,Y,Z" of an option. @throws UsageError naming option and text.
 Vec3 vectorOption(const std::string& option, const std::string& text);
 /// β [rad] of a --heading in degrees. @throws UsageError beyond two turns.
 double headingRadians(double degrees);
-/// One warning that names `file` if waves up to `omega` [rad/s] are shorter than the panels
-/// resolve.
-void warnIfUnresolved(const std::string& file, const Coefficients& coefficients, double omega);
-/// One line on stderr, nothing if empty.
-void warn(const std::string& line);
 
 }  // namespace cutwater::command

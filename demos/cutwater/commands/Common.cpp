@@ -65,14 +65,6 @@ Coefficients readDatabase(const std::string& path, const SpeedOptions& moving) {
   return coefficients;
 }
 
-void naming(const std::string& file, const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const HydroError& error) {
-    throw HydroError(error.fault(), file + ": " + error.what());
-  }
-}
-
 Vec3 vectorOption(const std::string& option, const std::string& text) {
   const std::size_t first = text.find(',');
   const std::size_t second = first == std::string::npos ? first : text.find(',', first + 1);
@@ -96,17 +88,6 @@ double headingRadians(double degrees) {
     throw UsageError(fmt::format("--heading {}: must be in -720..720 degrees", degrees));
   }
   return degrees * kPi / 180.0;
-}
-
-void warnIfUnresolved(const std::string& file, const Coefficients& coefficients, double omega) {
-  const double resolved = coefficients.resolvedOmega;
-  if (!(resolved > 0.0) || omega <= resolved * (1.0 + 1e-9)) return;
-  warn(fmt::format("{}: panels resolve waves up to {:.2f} rad/s, these go up to {:.2f}", file,
-                   resolved, omega));
-}
-
-void warn(const std::string& line) {
-  if (!line.empty()) fmt::print(stderr, "cutwater: warning: {}\n", line);
 }
 
 }  // namespace cutwater::command

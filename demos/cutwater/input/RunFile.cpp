@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "demos/cutwater/commands/Commands.h"
 #include "demos/cutwater/input/ShipFile.h"
 #include "demos/cutwater/input/Toml.h"
+#include "demos/cutwater/output/Messages.h"
 #include "hydro/Errors.h"
 #include "hydro/database/CoefficientsFile.h"
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "demos/cutwater/commands/Commands.h"
 #include "demos/cutwater/input/HullFile.h"
 #include "demos/cutwater/input/Toml.h"
+#include "demos/cutwater/output/Messages.h"
 #include "hydro/Errors.h"
 
 namespace cutwater::command {

@@ -1,0 +1,17 @@
+#pragma once
+#include <functional>
+#include <string>
+
+#include "hydro/database/Coefficients.h"
+
+namespace cutwater::command {
+
+/// One line on stderr, nothing if empty.
+void warn(const std::string& line);
+/// One warning that names `file` if waves up to `omega` [rad/s] are shorter than the panels
+/// resolve.
+void warnIfUnresolved(const std::string& file, const Coefficients& coefficients, double omega);
+/// Runs `work`; its HydroErrors get the file's name in front.
+void naming(const std::string& file, const std::function<void()>& work);
+
+}  // namespace cutwater::command
