@@ -9,8 +9,8 @@ namespace cutwater::oracle {
 struct Bessel {
   double J0, J1, Y0, Y1;
 };
-/// By Bessel's and Struve's integrals, absolute error < 1e-15·(1 + 1/x); of Y1 below x = 0.01 a relative
-/// 3e-14. @pre 0 < x ≤ 40.
+/// By Bessel's and Struve's integrals, absolute error < 1e-15·(1 + 1/x); of Y1 below x = 0.01 a
+/// relative 3e-14. @pre 0 < x ≤ 40.
 Bessel bessel(double x);
 
 /// A function of (X, Y) and its derivative by X.

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,7 +13,8 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kGamma = std::numbers::egamma;
 
-// 1e-15·(1 + 1/x) is promised, of Y₁ below 0.01 a relative 3e-14; besides one rounding of the argument, which moves a wave by x·1.1e-16.
+// 1e-15·(1 + 1/x) is promised, of Y₁ below 0.01 a relative 3e-14; besides one rounding of the
+// argument, which moves a wave by x·1.1e-16.
 TEST(WaveTermOracleVerification, BesselFunctionsOfTheStandardLibrary) {
   for (double x = 1e-3; x <= 40.0; x *= 1.09) {
     const auto exact = static_cast<long double>(x);
@@ -48,7 +50,8 @@ std::pair<double, double> struve(double x) {
   return {value, slope};
 }
 
-// Both points on the surface: W = −π[H₀(X) − Y₀(X)]. The series' terms grow to e^X/X: 1e-15 of 20 at X = 5.
+// Both points on the surface: W = −π[H₀(X) − Y₀(X)]. The series' terms grow to e^X/X: 1e-15 of 20
+// at X = 5.
 TEST(WaveTermOracleClosedForm, StruveAndNeumannFunctionsOnTheSurface) {
   for (double X = 0.02; X < 5.0; X *= 1.2) {
     const auto [H0, slopeH0] = struve(X);
@@ -60,8 +63,9 @@ TEST(WaveTermOracleClosedForm, StruveAndNeumannFunctionsOnTheSurface) {
   }
 }
 
-// W obeys the free surface's condition as F does: ∂W/∂Y = −W − 2/R; and slopeX is its derivative. Differences
-// of fourth order, h = 0.02 R: h⁴/30 of fifth derivatives, 5!·2/R⁶, is 1e-6 of the image's 2/R².
+// W obeys the free surface's condition as F does: ∂W/∂Y = −W − 2/R; and slopeX is its derivative.
+// Differences of fourth order: with h 0.02 of X and of Y at most, h⁴/30 of fifth derivatives,
+// 5!·2/R⁶, is 1e-6 of the image's 2/R².
 TEST(WaveTermOracleIdentity, WaveFreePartObeysTheSurfaceCondition) {
   for (const double X : {0.4, 1.0, 4.9, 5.1, 20.0})
     for (const double Y : {0.3, 1.0, 6.0, 30.0}) {
@@ -79,7 +83,8 @@ TEST(WaveTermOracleIdentity, WaveFreePartObeysTheSurfaceCondition) {
     }
 }
 
-// Far away W is the image and what follows it: −(2/R) Σ n! P_n(α)/Rⁿ, whose next term is 24 P₄/R⁴ of it.
+// Far away W is the image and what follows it: −(2/R) Σ n! P_n(α)/Rⁿ, whose next term is 24 P₄/R⁴
+// of it.
 TEST(WaveTermOracleClosedForm, ImageFarAway) {
   for (const double R : {60.0, 200.0, 1000.0})
     for (const double a : {0.0, 0.3, 0.6}) {
@@ -90,8 +95,8 @@ TEST(WaveTermOracleClosedForm, ImageFarAway) {
     }
 }
 
-// Straight below the source R = Y and F = −2 e^{−Y} Ei(Y): S = 2 e^{−Y}(ln Y − Ei(Y)). Absolute error
-// 1e-16 e^R is promised; 1e-15 for the subtraction here.
+// Straight below the source R = Y and F = −2 e^{−Y} Ei(Y): S = 2 e^{−Y}(ln Y − Ei(Y)). Absolute
+// error 1e-16 e^R is promised; 1e-15 for the subtraction here.
 TEST(WaveTermOracleClosedForm, ExponentialIntegralBelowTheSource) {
   for (double Y = 1e-3; Y <= 10.0; Y *= 1.3) {
     const double exact = 2.0 * std::exp(-Y) * (std::log(Y) - std::expint(Y));
@@ -107,8 +112,9 @@ TEST(WaveTermOracleClosedForm, EulersConstantAtTheImageItself) {
   }
 }
 
-// Two ways that share no formula. The series promise 1e-16 e^R of S and five times that of T, the integrals
-// 1e-15·(1 + e^{−Y}R/X²), R/X times that of T; both in the units of a few roundings of their summands.
+// Two ways that share no formula. The series promise 1e-16 e^R of S and five times that of T, the
+// integrals 1e-15·(1 + e^{−Y}R/X²), R/X times that of T; both in the units of a few roundings of
+// their summands.
 TEST(WaveTermOracleIdentity, SeriesAndIntegralsMeet) {
   for (double R = 0.5; R <= 9.0; R += 0.37)
     for (double alpha = 0.0; alpha < 0.99; alpha += 0.07) {
@@ -121,8 +127,8 @@ TEST(WaveTermOracleIdentity, SeriesAndIntegralsMeet) {
     }
 }
 
-// T = (R/X) ∂S/∂X at constant Y, by differences of fourth order: they leave h⁴/30 of a fifth derivative, which
-// of R, a part of S, is of order 1/R⁴.
+// T = (R/X) ∂S/∂X at constant Y, by differences of fourth order: they leave h⁴/30 of a fifth
+// derivative, which of R, a part of S, is of order 1/R⁴.
 TEST(WaveTermOracleIdentity, ReducedDerivativeIsThatOfTheSmoothPart) {
   constexpr double h = 0.01;
   for (const double X : {0.5, 1.5, 4.0})

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <thread>
 
@@ -30,8 +32,8 @@ double between(double from, double width, double local) {
   return from + 0.5 * width * (1.0 + local);
 }
 
-// One coefficient at a time is its monomial aᵖ b^q of its function: the interleaving, and Horner's steps. Powers
-// of a half are exact.
+// One coefficient at a time is its monomial aᵖ b^q of its function: the interleaving, and Horner's
+// steps. Powers of a half are exact.
 TEST(WaveTermTablesClosedForm, PatchIsThePolynomialOfItsCoefficients) {
   const double a = 0.5, b = -0.5;
   for (std::size_t p = 0; p < kPoints; ++p)
@@ -94,7 +96,8 @@ TEST(WaveTermTablesIdentity, SteepCellsHoldTheSmoothPart) {
       }
 }
 
-// What is held are numbers near 1: the image's part is 1 itself, of its slope as well. F has 2/R of it.
+// What is held are numbers near 1: the image's part is 1 itself, of its slope as well. F has 2/R of
+// it.
 TEST(WaveTermTablesIdentity, FarCellsHoldTheWaveFreePart) {
   for (std::size_t row = 0; row < kFarRows; ++row)
     for (std::size_t column = 0; column < kFarColumns; ++column) {
@@ -113,7 +116,8 @@ TEST(WaveTermTablesIdentity, FarCellsHoldTheWaveFreePart) {
     }
 }
 
-// 1e-14: twelve points leave 1e-15 of a wave over a cell of unit length, the oracle 1e-15·(1 + 1/x).
+// 1e-14: twelve points leave 1e-15 of a wave over a cell of unit length, the oracle 1e-15·(1 +
+// 1/x).
 TEST(WaveTermTablesIdentity, BesselCellsHoldAllFour) {
   for (std::size_t cell = 0; cell < kBesselCells; ++cell)
     for (const double t : {-0.9, -0.3, 0.1, 0.7, 1.0}) {

@@ -20,8 +20,8 @@ ExponentialSum sumOf(std::size_t poles) {
   return ExponentialSum(kernelsToFit(), test::CausalShip().addedMassInf, poles);
 }
 
-// K⁰ of the causal ship is known in closed form. What is fitted is its transform, to error() of B or ωA, the
-// lesser of which is far below |K̂|; in time 1e-3 of the largest K is left.
+// K⁰ of the causal ship is known in closed form. What is fitted is its transform, to error() of B
+// or ωA, the lesser of which is far below |K̂|; in time 1e-3 of the largest K is left.
 TEST(ExponentialSumClosedForm, IsTheKnownMemoryInTime) {
   const ExponentialSum sum = sumOf(20);
   const test::CausalShip ship;
@@ -33,8 +33,8 @@ TEST(ExponentialSumClosedForm, IsTheKnownMemoryInTime) {
     EXPECT_LT((sum.at(tau, 0.0) - exact(tau)).cwiseAbs().maxCoeff(), 1e-3 * size) << tau;
 }
 
-// Simpson's rule on K(τ) e^{−iωτ} up to 60 s, in steps of 0.01 s. The fastest pole within reach of the data,
-// some 20 rad/s, leaves (0.2)⁴/180; poles beyond carry 1e-3 of K.
+// Simpson's rule on K(τ) e^{−iωτ} up to 60 s, in steps of 0.01 s. The fastest pole within reach of
+// the data, some 20 rad/s, leaves (0.2)⁴/180; poles beyond carry 1e-3 of K.
 TEST(ExponentialSumIdentity, TransformIsTheIntegralOfTheFunctions) {
   const ExponentialSum sum = sumOf(12);
   constexpr double h = 0.01;
@@ -55,8 +55,8 @@ TEST(ExponentialSumIdentity, TransformIsTheIntegralOfTheFunctions) {
   }
 }
 
-// More oscillations follow the functions better: the kernels have two poles of fourth order, which 6 distinct
-// ones only begin to resemble.
+// More oscillations follow the functions better: the kernels have two poles of fourth order, which
+// 6 distinct ones only begin to resemble.
 TEST(ExponentialSumConvergence, MorePolesLeaveLess) {
   const double six = sumOf(6).error(), twelve = sumOf(12).error(), twenty = sumOf(20).error();
   EXPECT_LT(twelve, 0.3 * six);
@@ -64,7 +64,8 @@ TEST(ExponentialSumConvergence, MorePolesLeaveLess) {
   EXPECT_LT(twenty, 2e-3);
 }
 
-// The runs are what the memory multiplies: −Re R, +Im R, each run padded with zeros to a multiple of four.
+// The runs are what the memory multiplies: −Re R, +Im R, each run padded with zeros to a multiple
+// of four.
 TEST(ExponentialSumIdentity, RunsHoldTheResiduesPaddedWithZeros) {
   for (const std::size_t poles : {5u, 8u}) {
     const ExponentialSum sum = sumOf(poles);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -42,8 +44,8 @@ double sizeOfForce(RadiationMemory& memory) {
   return size;
 }
 
-// The force is linear in the past: of a sum of two motions it is the sum of the forces. Round-off of sums of
-// some hundred terms that cancel by 1e3.
+// The force is linear in the past: of a sum of two motions it is the sum of the forces. Round-off
+// of sums of some hundred terms that cancel by 1e3.
 TEST_P(RadiationMemoryIdentity, ForcesOfTwoMotionsAdd) {
   const auto one = make(), other = make(), both = make();
   const double round = 1e-11 * sizeOfForce(*one);
@@ -67,7 +69,8 @@ TEST_P(RadiationMemoryIdentity, WhatBeginsLaterIsFeltLater) {
   }
 }
 
-// The speed of now weighs the whole past anew: the three parts of one memory give the force at every speed.
+// The speed of now weighs the whole past anew: the three parts of one memory give the force at
+// every speed.
 TEST_P(RadiationMemoryIdentity, PartsGiveTheForceAtEverySpeed) {
   const auto parts = make();
   const double round = 1e-11 * sizeOfForce(*parts);
@@ -89,8 +92,9 @@ TEST_P(RadiationMemoryIdentity, WithoutASpeedTheShipIsAtRest) {
     ASSERT_EQ(one->advance(velocityAt(n)), other->advance(velocityAt(n), 0.0)) << n;
 }
 
-// The first tick feels ∫K over itself: a memory of any kind begins with −K(0) h η̇, and K(0) = (2/π)∫B dω
-// resists. These kernels begin flat, so that a tick leaves (h/2)² of them, 1e-4; the fit leaves 1e-3.
+// The first tick feels ∫K over itself: a memory of any kind begins with −K(0) h η̇, and K(0) =
+// (2/π)∫B dω resists. These kernels begin flat, so that a tick leaves (h/2)² of them, 1e-4; the fit
+// leaves 1e-3.
 TEST_P(RadiationMemoryIdentity, FirstTickIsResistedByTheKernelAtZero) {
   const Mat6 K = modelOf(GetParam()).retardation().at(0.0);
   const double h = 0.01;

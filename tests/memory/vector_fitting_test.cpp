@@ -39,8 +39,9 @@ std::vector<double> sixtyFrequencies() {
 
 const std::vector<Complex> kTwoPairs{{-0.1, 0.6}, {-0.4, 1.7}};
 
-// Each pole has its columns: a real one 1/(iω − s), of a pair the sum and i times the difference. The
-// factors Re R/2 and Im R/2 give the transform of Re{R e^{sτ}}. Round-off of a dozen operations.
+// Each pole has its columns: a real one 1/(iω − s), of a pair the sum and i times the difference.
+// The factors Re R/2 and Im R/2 give the transform of Re{R e^{sτ}}. Round-off of a dozen
+// operations.
 TEST(VectorFittingIdentity, BasisTimesHalfTheResidueIsTheTransform) {
   const KnownFunction pair{{{-0.3, 1.1}}, {{2.0, -5.0}}}, real{{{-0.7, 0.0}}, {{3.0, 0.0}}};
   const std::vector<double> omega = sixtyFrequencies();
@@ -56,8 +57,8 @@ TEST(VectorFittingIdentity, BasisTimesHalfTheResidueIsTheTransform) {
   }
 }
 
-// Two responses that share two pairs of poles. With as many poles as the functions have, vector fitting
-// ends at them. 1e-9: round-off times the condition of the least squares, 1e5 here at most.
+// Two responses that share two pairs of poles. With as many poles as the functions have, vector
+// fitting ends at them. 1e-9: round-off times the condition of the least squares, 1e5 here at most.
 TEST(VectorFittingClosedForm, PolesAndResiduesComeBackFromSamples) {
   const KnownFunction one{kTwoPairs, {{1.0, 0.5}, {-0.2, 2.0}}},
       other{kTwoPairs, {{0.0, -1.0}, {3.0, 0.1}}};
@@ -112,8 +113,8 @@ Complex transformAtZero(const std::vector<Complex>& residues, const std::vector<
   return KnownFunction{poles, residues}.at(0.0);
 }
 
-// What the sum is at ω = 0 is a condition, not one equation among others: exact to round-off, for data
-// that disagree with it and among themselves.
+// What the sum is at ω = 0 is a condition, not one equation among others: exact to round-off, for
+// data that disagree with it and among themselves.
 TEST(VectorFittingIdentity, ValueAtZeroIsKeptExactly) {
   const std::vector<double> omega = sixtyFrequencies();
   const std::vector<Complex> poles{{-0.2, 0.0}, {-0.3, 0.9}, {-0.5, 2.1}};
@@ -140,7 +141,8 @@ double misfit(const std::vector<double>& omega, const Response& r,
   return sum;
 }
 
-// Least squares: any other residues leave more. The misfit is a parabola, so that ±1e-4 must both be above.
+// Least squares: any other residues leave more. The misfit is a parabola, so that ±1e-4 must both
+// be above.
 TEST(VectorFittingIdentity, NoOtherResiduesFitBetter) {
   const std::vector<double> omega = sixtyFrequencies();
   const std::vector<Complex> poles{{-0.2, 0.0}, {-0.3, 0.9}, {-0.5, 2.1}};
@@ -162,7 +164,28 @@ TEST(VectorFittingIdentity, NoOtherResiduesFitBetter) {
     }
 }
 
-// A frequency of no weight is not looked at, however wrong its value.
+// Among the residues with the given value at ω = 0 too none fits better. Steps that keep it: one
+// real pole against another, whose residues R add −R/s.
+TEST(VectorFittingIdentity, NoOtherResiduesOfThatValueAtZeroFitBetter) {
+  const std::vector<double> omega = sixtyFrequencies();
+  const std::vector<Complex> poles{{-0.2, 0.0}, {-0.7, 0.0}, {-1.9, 0.0}};
+  Response r = roughResponse(omega);
+  r.holdsZero = true;
+  r.atZero = 1.5;
+  const auto best = fitResidues(omega, {r}, poles)[0];
+  const double least = misfit(omega, r, best, poles);
+  for (std::size_t m = 0; m < 3; ++m)
+    for (const double step : {-1e-4, 1e-4}) {
+      const std::size_t other = (m + 1) % 3;
+      std::vector<Complex> moved = best;
+      moved[m] += step * poles[m];
+      moved[other] -= step * poles[other];
+      ASSERT_NEAR(transformAtZero(moved, poles).real(), 1.5, 1e-12);
+      EXPECT_GT(misfit(omega, r, moved, poles), least) << m;
+    }
+}
+
+// A frequency of no weight is ignored, however wrong its value.
 TEST(VectorFittingIdentity, FrequenciesOfNoWeightDoNotCount) {
   const KnownFunction known{kTwoPairs, {{1.0, 0.5}, {-0.2, 2.0}}};
   const std::vector<double> omega = sixtyFrequencies();
