@@ -16,7 +16,7 @@ struct Tag {
   std::string_view name, attributes;
   std::string_view content;  ///< up to the next tag
   std::size_t byte = 0;
-  bool closes = false;  ///< </name> or <name/>
+  bool closes = false;  ///< </name>, whose name is left empty, or <name/>
 };
 
 class ColladaChecker {
@@ -27,13 +27,13 @@ class ColladaChecker {
     Tag tag;
     while (next(tag)) {
       if (tag.name == "float_array") addArray(tag);
-      if (tag.closes) continue;
-      if (tag.name == "p" || tag.name == "vcount" || tag.name == "v" || tag.name == "h")
-        checkNumbers(tag, "0123456789- \t\r\n");
       if (tag.name == "accessor") accessors_.push_back(tag);
       if (tag.name == "polylist" || tag.name == "triangles" || tag.name == "polygons" ||
           tag.name == "vcount")
         attribute(tag, "count", 0);
+      if (tag.closes) continue;
+      if (tag.name == "p" || tag.name == "vcount" || tag.name == "v" || tag.name == "h")
+        checkNumbers(tag, "0123456789- \t\r\n");
     }
     for (const Tag& a : accessors_) checkAccessor(a);
   }

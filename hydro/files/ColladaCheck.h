@@ -3,11 +3,11 @@
 
 namespace cutwater {
 
-/// Refuses COLLADA text that Assimp 5.2.5's importer would not survive: index lists (<p>, <vcount>,
-/// <v>, <h>) with anything but numbers make it read the same place for ever, allocating as it goes,
-/// and accessors that reach beyond their array make it read outside memory.
+/// Refuses COLLADA text that Assimp 5.2.5's importer would not survive. Index lists (<p>, <vcount>,
+/// <v>, <h>) with anything but numbers make it read the same place for ever, allocating as it goes;
+/// accessors that reach beyond their array make it read outside memory. O(text).
 /// @param name  of the file, for messages.
-/// @throws HydroError FileMalformed. O(text). Not installed; used by MeshIO.cpp.
+/// @throws HydroError FileMalformed.
 void checkCollada(const std::string& text, const std::string& name);
 
 }  // namespace cutwater

@@ -3,6 +3,9 @@
 
 #include "hydro/geometry/repair/MeshRepair.h"
 
+/// Hulls from mesh files.
+///     const RepairedHull ship = readRepaired("yacht.glb", {.up = "y", .forward = "-z"});
+///     for (const std::string& line : ship.done) std::puts(line.c_str());
 namespace cutwater {
 
 /// How the axes and units of a file are to be read.
@@ -11,28 +14,27 @@ struct MeshReadOptions {
   std::string forward = "x";  ///< the file's axis that points to the bow
   std::string unit = "m";     ///< "m", "mm", "cm", "ft" or "in"
   double waterline = 0.0;     ///< height of calm water along `up`, in the file's unit
-  double trimDeg =
-      0.0;  ///< bow down; turns the hull about the point below which it was drawn, (0, 0)
-  double heelDeg = 0.0;    ///< starboard down; on the waterline. R = R_y(trim) R_x(heel)
-  bool anyFormat = false;  ///< also what else Assimp can read; its rarer importers are less safe
+  double trimDeg = 0.0;       ///< bow down; the hull turns about the point on calm water at (0, 0)
+  double heelDeg = 0.0;       ///< starboard down, about the same point: R = R_y(trim) R_x(heel)
+  bool anyFormat = false;     ///< also what else Assimp can read; its rarer importers are less safe
   std::string symmetric = "auto";  ///< "auto", "none" or "half"
 };
 
 /// The faces of a file in hull axes, before any check of the hull: x forward, y port, z up from
 /// calm water. By the file's ending (any case): .obj .stl (binary or text) .ply .gltf .glb .off
-/// .dae by Assimp; .gdf (WAMIT, low order, its symmetries applied) by ourselves. Quadrilaterals
-/// stay; polygons of more corners and re-entrant quadrilaterals are divided; the transformations of
-/// scene nodes are applied; points and lines are ignored. Nothing is written to the terminal.
-/// COLLADA is read with its own unit and up axis as written, so `up` says what the file says.
-/// @throws HydroError, one line naming file and value: FileNotReadable; FormatNotSupported;
-/// FileMalformed;
-///   MeshEmpty; MeshNotFinite; MeshIndexOutOfRange; BadArgument, ValueOutOfRange for the options.
+/// .dae .gdf (WAMIT, low order, its symmetries applied). Quadrilaterals stay; polygons of more
+/// corners and re-entrant quadrilaterals are divided; the transformations of scene nodes are
+/// applied; points and lines are ignored. COLLADA is read with its own unit and up axis as written,
+/// so `up` says what the file says. Nothing is written to the terminal.
+/// @throws HydroError, one line naming file and value: FileNotReadable, FormatNotSupported,
+///   FileMalformed, MeshEmpty, MeshNotFinite, MeshIndexOutOfRange; BadArgument, ValueOutOfRange for
+///   the options.
 SurfaceMesh readSurface(const std::string& path, const MeshReadOptions& options = {});
 
-/// readSurface and makeHull. @throws what they throw.
+/// readSurface, then makeHull. @throws what they throw.
 Hull readHull(const std::string& path, const MeshReadOptions& options = {});
 
-/// readSurface and repairedHull. @throws what they throw.
+/// readSurface, then repairedHull. @throws what they throw.
 RepairedHull readRepaired(const std::string& path, const MeshReadOptions& options = {});
 
 /// Writes Wavefront OBJ: to a temporary file beside it, then renamed, so that it is whole or not

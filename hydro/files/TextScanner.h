@@ -6,9 +6,8 @@
 
 namespace cutwater {
 
-/// Numbers out of a text file, with the line of whatever is wrong. Commas count as blanks,
-/// Fortran's 1.0D+00 as a number; one too small for a double is 0, one too large infinite. Not
-/// installed; used by the readers of geometry.
+/// Reads words and numbers from a text, and names the line of whatever is wrong. Commas count as
+/// blanks, Fortran's 1.0D+00 as a number; one too small for a double is 0, one too large infinite.
 class TextScanner {
  public:
   /// @param text     must outlive the scanner.  @param name  of the file, for messages.
@@ -22,13 +21,13 @@ class TextScanner {
   std::string nextWord();
   /// The next word of this line; empty at its end.
   std::string wordInLine();
-  /// The next number of this or later lines. `what` is named if there is none.
+  /// The next number of this or later lines.  @param what  is named if there is none.
   double next(const char* what);
   /// The next number from a new line.
   double nextRecord(const char* what);
   /// A whole number from 0 to `most`.
   int nextCount(const char* what, double most);
-  /// What is left of this line is commentary.
+  /// Skips what is left of this line.
   void endRecord() { line_ = {}; }
   /// All that follows this line.
   std::string_view rest() const { return rest_; }

@@ -7,7 +7,9 @@
 #include "hydro/Errors.h"
 #include "hydro/geometry/HullShells.h"
 #include "hydro/geometry/MeshCut.h"
+#include "hydro/geometry/MeshEdges.h"
 #include "hydro/geometry/MeshIntegrals.h"
+#include "hydro/geometry/PlaceText.h"
 
 namespace cutwater {
 namespace {

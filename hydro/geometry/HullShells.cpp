@@ -2,104 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 #include "hydro/Errors.h"
 #include "hydro/geometry/MeshCut.h"
 #include "hydro/geometry/MeshIntegrals.h"
+#include "hydro/geometry/PlaceText.h"
+#include "hydro/geometry/SurfacePatches.h"
 
 namespace cutwater {
 namespace {
 
-using EdgeKey = std::pair<int, int>;
-
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-/// Which faces meet at each edge, and in which sense they run along it.
-class Neighbours {
- public:
-  explicit Neighbours(const SurfaceMesh& mesh) {
-    for (int k = 0; k < static_cast<int>(mesh.faces.size()); ++k) {
-      const Face& f = mesh.faces[index(k)];
-      for (int i = 0; i < f.size(); ++i) {
-        const int a = f[i], b = f[(i + 1) % f.size()];
-        uses_[{std::min(a, b), std::max(a, b)}].push_back({k, a < b});
-      }
-    }
-  }
-
-  /// Calls visit(neighbour, agrees) for faces across edges that exactly two faces share.
-  template <class Visit>
-  void across(const Face& f, int face, Visit visit) const {
-    for (int i = 0; i < f.size(); ++i) {
-      const int a = f[i], b = f[(i + 1) % f.size()];
-      const auto& both = uses_.at({std::min(a, b), std::max(a, b)});
-      if (both.size() != 2) continue;
-      const auto& other = both[0].face == face ? both[1] : both[0];
-      visit(other.face, both[0].rising != both[1].rising);
-    }
-  }
-
- private:
-  struct Use {
-    int face;
-    bool rising;
-  };
-  std::map<EdgeKey, std::vector<Use>> uses_;
-};
-
-/// Faces that hang together, with the sense that makes them agree with the first: +1 or −1.
-struct Piece {
-  std::vector<int> faces;
-  std::vector<int> sense;
-};
-
-std::vector<Piece> pieces(const SurfaceMesh& mesh, const std::string& name) {
-  const Neighbours neighbours(mesh);
-  std::vector<int> sense(mesh.faces.size(), 0);
-  std::vector<Piece> all;
-  for (int first = 0; first < static_cast<int>(mesh.faces.size()); ++first) {
-    if (sense[index(first)] != 0) continue;
-    Piece piece;
-    std::vector<int> todo{first};
-    sense[index(first)] = 1;
-    while (!todo.empty()) {
-      const int k = todo.back();
-      todo.pop_back();
-      piece.faces.push_back(k);
-      neighbours.across(mesh.faces[index(k)], k, [&](int other, bool agrees) {
-        const int wanted = agrees ? sense[index(k)] : -sense[index(k)];
-        if (sense[index(other)] == 0) {
-          sense[index(other)] = wanted;
-          todo.push_back(other);
-        } else if (sense[index(other)] != wanted) {
-          throw HydroError(Fault::HullInverted,
-                           name +
-                               ": the surface is one-sided, its faces cannot all be turned "
-                               "outwards; first seen at " +
-                               placeText(mesh.corner(mesh.faces[index(k)], 0)));
-        }
-      });
-    }
-    std::sort(piece.faces.begin(), piece.faces.end());
-    for (int k : piece.faces) piece.sense.push_back(sense[index(k)]);
-    all.push_back(piece);
-  }
-  return all;
+Face turned(Face face, bool over) {
+  if (over) std::reverse(face.v.begin(), face.v.begin() + face.size());
+  return face;
 }
 
-Face turned(const SurfaceMesh& mesh, int face, int sense) {
-  Face f = mesh.faces[index(face)];
-  if (sense < 0) std::reverse(f.v.begin(), f.v.begin() + f.size());
-  return f;
-}
-
-SurfaceMesh meshOf(const SurfaceMesh& mesh, const Piece& piece) {
+/// The faces of a patch in the order of the mesh, turned to agree, with vertices of their own.
+SurfaceMesh meshOf(const SurfaceMesh& mesh, const SurfacePatch& patch) {
   SurfaceMesh out;
   std::map<int, int> newIndex;
-  for (std::size_t i = 0; i < piece.faces.size(); ++i) {
-    Face f = turned(mesh, piece.faces[i], piece.sense[i]);
+  for (std::size_t i = 0; i < patch.faces.size(); ++i) {
+    Face f = turned(mesh.faces[index(patch.faces[i])], patch.turned[i]);
     for (int c = 0; c < f.size(); ++c) {
       const auto [it, isNew] = newIndex.emplace(f[c], static_cast<int>(out.vertices.size()));
       if (isNew) out.vertices.push_back(mesh.corner(f, c));
@@ -140,7 +66,7 @@ void refuseNested(const std::vector<SurfaceMesh>& closed, const std::string& nam
       if (&inner == &outer || (p - box.low).minCoeff() <= 0 || (box.high - p).minCoeff() <= 0)
         continue;
       if (windingNumber(outer, p) > 0.5)
-        throw HydroError(Fault::HullNotClosed,
+        throw HydroError(Fault::HullPartHidden,
                          name + ": one piece of the hull lies inside another, at " + placeText(p) +
                              "; give the outer surface alone");
     }
@@ -148,12 +74,6 @@ void refuseNested(const std::vector<SurfaceMesh>& closed, const std::string& nam
 }
 
 }  // namespace
-
-std::string placeText(const Vec3& p) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x(), p.y(), p.z());
-  return text;
-}
 
 void checkVertices(const SurfaceMesh& raw, const std::string& name) {
   if (raw.vertices.empty() || raw.faces.empty())
@@ -216,43 +136,12 @@ SurfaceMesh withoutDoubles(const SurfaceMesh& mesh) {
   return out;
 }
 
-std::vector<EdgeUse> edgeUses(const SurfaceMesh& mesh) {
-  std::vector<EdgeUse> uses;
-  for (int k = 0; k < static_cast<int>(mesh.faces.size()); ++k) {
-    const Face& f = mesh.faces[index(k)];
-    for (int i = 0; i < f.size(); ++i) {
-      const int a = f[i], b = f[(i + 1) % f.size()];
-      uses.push_back({static_cast<std::uint64_t>(std::min(a, b)) << 32 |
-                          static_cast<std::uint64_t>(std::max(a, b)),
-                      k, a < b});
-    }
-  }
-  std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
-    return std::pair(a.edge, a.face) < std::pair(b.edge, b.face);
-  });
-  return uses;
-}
-
-std::vector<OpenEdge> looseEdges(const SurfaceMesh& mesh) {
-  const std::vector<EdgeUse> uses = edgeUses(mesh);
-  std::vector<OpenEdge> loose;
-  for (std::size_t i = 0, next = 0; i < uses.size(); i = next) {
-    next = i + 1;
-    while (next < uses.size() && uses[next].edge == uses[i].edge) ++next;
-    if ((next - i) % 2 == 0) continue;
-    const int low = static_cast<int>(uses[i].edge >> 32),
-              high = static_cast<int>(uses[i].edge & 0xffffffffu);
-    loose.push_back({uses[i].rising ? low : high, uses[i].rising ? high : low, uses[i].face});
-  }
-  return loose;
-}
-
 SurfaceMesh turnedOutwards(const SurfaceMesh& mesh, const std::string& name) {
   SurfaceMesh out = mesh;
   std::vector<SurfaceMesh> closed;
   const double size = bounds(mesh).diagonal();
-  for (Piece piece : pieces(mesh, name)) {
-    SurfaceMesh part = meshOf(mesh, piece);
+  for (const SurfacePatch& patch : surfacePatches(mesh, name)) {
+    SurfaceMesh part = meshOf(mesh, patch);
     const double volume = tellingVolume(part);
     const bool inWater = bounds(part).low.z() < 0;
     // Below 1e-12 of the cube of its size the sign is round-off.
@@ -261,12 +150,12 @@ SurfaceMesh turnedOutwards(const SurfaceMesh& mesh, const std::string& name) {
                        name + ": a piece of " + std::to_string(part.faces.size()) +
                            " faces encloses no volume, so its outside cannot be inferred; at " +
                            placeText(part.vertices[0]));
-    if (volume < 0) {
-      for (int& s : piece.sense) s = -s;
-      part = turnedOver(part);
+    const bool inverted = volume < 0;
+    if (inverted) part = turnedOver(part);
+    for (std::size_t i = 0; i < patch.faces.size(); ++i) {
+      Face& face = out.faces[index(patch.faces[i])];
+      face = turned(face, patch.turned[i] != inverted);
     }
-    for (std::size_t i = 0; i < piece.faces.size(); ++i)
-      out.faces[index(piece.faces[i])] = turned(mesh, piece.faces[i], piece.sense[i]);
     if (openEdges(part).empty()) closed.push_back(std::move(part));
   }
   refuseNested(closed, name);

@@ -3,8 +3,9 @@
 
 namespace cutwater {
 
-/// What a hull at rest weighs, where it floats and how stiffly. Positions in hull axes (x forward,
-/// y port, z up from calm water); lengths are those of the wet surface.
+/// Volume, centres, metacentric heights and restoring matrix of a hull at rest: what hydrostatics()
+/// returns. Positions in hull axes (x forward, y port, z up from calm water); lengths are those of
+/// the wet surface.
 struct Hydrostatics {
   double volume = 0.0;            ///< V [m³]
   double displacement = 0.0;      ///< ρV [kg]
@@ -13,8 +14,8 @@ struct Hydrostatics {
   Vec3 buoyancy = Vec3::Zero();   ///< centre of buoyancy [m]; lcb is its x
   Vec3 flotation = Vec3::Zero();  ///< centroid of the waterplane [m]; lcf is its x
   double kb = 0.0;                ///< centre of buoyancy above the keel (the lowest point) [m]
-  double bmT = 0.0,
-         bmL = 0.0;  ///< metacentric radii: inertia of the waterplane about its centroid / V [m]
+  double bmT = 0.0, bmL = 0.0;    ///< metacentric radii [m]: inertia of the waterplane about its
+                                  ///< centroid, over V
   double gmT = 0.0, gmL = 0.0;    ///< z_B + BM − z_G [m]
   double draft = 0.0;             ///< depth of the lowest point [m]
   double length = 0.0;            ///< of the waterline, along x [m]
@@ -22,11 +23,11 @@ struct Hydrostatics {
   Mat6 restoring = Mat6::Zero();  ///< C about G [N/m, N, N m]
 };
 
-/// With x, y measured from G, z from calm water:
+/// Hydrostatics of a wet surface. With x, y measured from G and z from calm water:
 ///     C33 = ρg A         C34 = ρg ∫y dA                C35 = −ρg ∫x dA
 ///     C44 = ρg[∫y² dA + V(z_B − z_G)]    C45 = −ρg ∫xy dA    C46 = −ρgV (x_B − x_G)
 ///     C55 = ρg[∫x² dA + V(z_B − z_G)]    C56 = −ρgV (y_B − y_G),   the rest by symmetry or 0
-/// Weight acts in G, so it has no moment about G and the mass does not enter: the matrix holds for
+/// Weight acts in G: it has no moment about G and the mass does not enter, so the matrix holds for
 /// m ≠ ρV as well. C46 and C56 (not C64, C65) vanish for a ship that floats level.
 /// [Newman 1977, 6.16], with moments about G.
 /// @param wet  the whole surface below calm water, both sides, open on z = 0 only.

@@ -1,6 +1,8 @@
 #pragma once
 #include "hydro/geometry/SurfaceMesh.h"
 
+/// The part of a surface below or above a plane; by default the plane is calm water.
+///     const SurfaceMesh wet = cutBelow(hull.surface);
 namespace cutwater {
 
 /// The points p with normal·p = offset; "below" is normal·p < offset.
@@ -9,22 +11,21 @@ struct Plane {
   double offset = 0.0;          ///< [m]
 };
 
-/// The part of a surface below a plane; the default plane is calm water. Faces above it or in it
-/// are dropped, faces below kept as they are and first to last in their order; a face that is cut
-/// keeps its polygon (triangle, quadrilateral, or for five corners one of each). Neighbours share
-/// the vertices of the cut, so the result is open on the plane only.
-/// @param tolerance  [m] vertices this near to the plane are put on it and cut nothing, which is
-/// what
-///                   keeps round-off from making slivers; negative: 1e-9 of the mesh's diagonal.
+/// The part of a surface below a plane. Faces above it or in it are dropped; faces below stay as
+/// they are, in their order; a face that is cut becomes the polygon that is left of it (a triangle,
+/// a quadrilateral, or one of each for five corners). Neighbours share the vertices of the cut, so
+/// the result is open on the plane only.
+/// @param tolerance  [m] vertices this near to the plane are put on it and cut nothing, so that
+///                   round-off makes no slivers. Negative: 1e-9 of the mesh's diagonal.
 /// @throws HydroError BadArgument if the normal is not a unit vector.
 SurfaceMesh cutBelow(const SurfaceMesh& mesh, const Plane& plane = {}, double tolerance = -1.0);
 
 /// The part above: cutBelow with the plane turned over.
 SurfaceMesh cutAbove(const SurfaceMesh& mesh, const Plane& plane = {}, double tolerance = -1.0);
 
-/// Faces that makePanels can lay: a quadrilateral with three corners on calm water, whose plane would
-/// be the waterplane, as two triangles from its fourth corner, each with an edge on calm water; none
-/// with all corners there.
+/// A wet surface that makePanels can flatten. A quadrilateral with three corners on calm water,
+/// whose plane would be the waterplane, becomes two triangles from its fourth corner, each with an
+/// edge on calm water. A face with all corners on calm water is dropped.
 SurfaceMesh withSplitWaterCorners(const SurfaceMesh& wet);
 
 }  // namespace cutwater

@@ -5,9 +5,15 @@
 
 #include "hydro/Conventions.h"
 
+/// A surface of triangles and quadrilaterals, and what can be done with it: mirror, turn, join,
+/// merge vertices, look for open edges. A mesh is plain data; functions take one and return a new
+/// one.
+///     const SurfaceMesh whole = bothHalves(wetWigley(wigley(3), 40, 10));
+///     const bool watertight = openEdges(whole).empty();
 namespace cutwater {
 
-/// Three or four corners, counter-clockwise seen from the water (normal out of the hull).
+/// Three or four corners, counter-clockwise seen from the water, so that the normal points out of
+/// the hull.
 struct Face {
   std::array<int, 4> v{-1, -1, -1, -1};  ///< vertex indices; v[3] = −1 marks a triangle
   int size() const noexcept { return v[3] < 0 ? 3 : 4; }
@@ -15,7 +21,7 @@ struct Face {
   int operator[](int i) const noexcept { return v[static_cast<std::size_t>(i)]; }
 };
 
-/// Faces on shared vertices. Plain data: functions take a mesh and return a new one.
+/// Faces on shared vertices.
 struct SurfaceMesh {
   std::vector<Vec3> vertices;  ///< [m]
   std::vector<Face> faces;
@@ -25,30 +31,30 @@ struct SurfaceMesh {
   }
 };
 
-/// Vector area n·S of a face [m²]: exact also for a twisted quadrilateral (half the cross product
-/// of its diagonals).
+/// Vector area n·S of a face [m²]: half the cross product of its diagonals, exact for a twisted
+/// quadrilateral too.
 Vec3 vectorArea(const SurfaceMesh& mesh, const Face& face);
 
-/// The same surface mirrored in the plane y = 0, faces turned so that normals stay outward.
+/// The surface mirrored in the plane y = 0, with its faces turned so that normals stay outward.
 SurfaceMesh mirroredInY(const SurfaceMesh& mesh);
 
-/// Every face turned over.
+/// The surface with every face turned over.
 SurfaceMesh turnedOver(const SurfaceMesh& mesh);
 
-/// Each quadrilateral as two triangles: flat faces without the gaps that flattening a quadrilateral leaves.
-/// Triangles of no area are left out.
+/// Each quadrilateral as two triangles: flat faces without the gaps that flattening a quadrilateral
+/// leaves. Triangles of no area are left out.
 SurfaceMesh triangulated(const SurfaceMesh& mesh);
 
-/// Both meshes in one, a's faces first, vertices not merged.
+/// Both meshes in one, a's faces first. Vertices are not merged.
 SurfaceMesh joined(const SurfaceMesh& a, const SurfaceMesh& b);
 
-/// A port half and its mirror image as one surface, port faces first; vertices nearer than 1e-9 of the
-/// size, as on the centreplane, are shared.
+/// A port half and its mirror image as one surface, port faces first. Vertices nearer than 1e-9 of
+/// the size, as on the centreplane, are shared.
 SurfaceMesh bothHalves(const SurfaceMesh& port);
 
-/// Vertices closer than `tolerance` [m] made one (the first of them stays where it is); faces that
-/// collapse are dropped, quads that lose a corner become triangles, unused vertices go. The order
-/// of faces and of the vertices that stay is kept. 0 merges only equal vertices. O(vertices).
+/// The mesh with vertices closer than `tolerance` [m] merged; the first of them stays where it is.
+/// Faces that collapse are dropped, quadrilaterals that lose a corner become triangles, unused
+/// vertices go. What stays keeps its order. 0 merges only equal vertices. O(vertices).
 /// @throws HydroError BadArgument if tolerance < 0, MeshNotFinite, MeshIndexOutOfRange.
 SurfaceMesh welded(const SurfaceMesh& mesh, double tolerance);
 
@@ -59,13 +65,13 @@ struct Bounds {
 };
 Bounds bounds(const SurfaceMesh& mesh);
 
-/// An edge used by one face only, in that face's sense of rotation.
+/// An edge used by one face only, from and to as that face runs along it.
 struct OpenEdge {
   int from, to, face;
 };
 
-/// Edges not matched by an opposite edge of another face: none for a closed, consistently oriented
-/// surface. Order: by face. Vertices must be shared (welded).
+/// Edges without an opposite edge of another face, ordered by face. A closed surface whose faces
+/// agree has none. @pre vertices are shared (welded).
 std::vector<OpenEdge> openEdges(const SurfaceMesh& mesh);
 
 }  // namespace cutwater

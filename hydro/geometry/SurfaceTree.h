@@ -5,17 +5,17 @@
 
 namespace cutwater {
 
-/// Boxes around boxes around the triangles of a surface: answers what a ray meets and how far a point
-/// is. Not installed. Building costs O(n log n), a question O(log n) as a rule.
+/// Answers what a ray meets on a surface, how far a point is from it, and which faces are near: a
+/// tree of boxes around its triangles. Building costs O(n log n), a question O(log n) as a rule.
 class SurfaceTree {
  public:
   /// @param mesh  quadrilaterals count as two triangles; must outlive this object.
   explicit SurfaceTree(const SurfaceMesh& mesh);
-  /// Is there a face other than `except` on origin + t·direction, 0 < t < reach?
+  /// Whether there is a face other than `except` on origin + t·direction, 0 < t < reach.
   bool meets(const Vec3& origin, const Vec3& direction, int except, double reach) const;
   /// Distance [m] from a point to the nearest face.
   double distance(const Vec3& point) const;
-  /// Faces with a triangle whose box touches this box, each once, rising.
+  /// Faces with a triangle whose box touches this box, each once, in rising order.
   std::vector<int> near(const Vec3& low, const Vec3& high) const;
 
  private:
@@ -26,7 +26,7 @@ class SurfaceTree {
   struct Node {
     Vec3 low, high;
     int first = 0, count = 0;  ///< triangles of a leaf; a branch has count 0
-    int right = 0;             ///< second child; the first stands behind its parent
+    int right = 0;             ///< second child; the first follows its parent
   };
   int build(int first, int count);
   std::vector<Triangle> triangles_;

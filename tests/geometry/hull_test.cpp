@@ -147,7 +147,7 @@ TEST(Hull, WhatCannotBeAHullIsRefused) {
   bad.faces[5].v[1] = -7;
   EXPECT_EQ(faultOf(bad), Fault::MeshIndexOutOfRange);
   // A tank inside the hull would count twice.
-  EXPECT_EQ(faultOf(joined(closedSphere(3.0, 12, 6), sphere)), Fault::HullNotClosed);
+  EXPECT_EQ(faultOf(joined(closedSphere(3.0, 12, 6), sphere)), Fault::HullPartHidden);
   // Vertices on both sides of a "half".
   EXPECT_EQ(faultOf(sphere, Symmetry::Half), Fault::HullNotSymmetric);
 }

@@ -3,12 +3,12 @@
 
 namespace cutwater {
 
-/// Length along a section in which bends count for more, so that panels are shorter in a bilge: a turn
-/// of one radian as much as 0.4 panels besides its length. Turns at corners do not count. Not
-/// installed.
+/// A measure along a section in which bends count for more than their length, so that panels of
+/// equal measure are shorter in a bilge: a turn of one radian counts as much as 0.4 panels. Turns
+/// at corners do not count.
 class BendMeasure {
  public:
-  /// @param corners  where panels end anyway, lengths from the start, rising [m].
+  /// @param corners  where panels end anyway: lengths from the start, rising [m].
   /// @param size     panel edge [m].
   BendMeasure(const SectionCurve& curve, const std::vector<double>& corners, double size);
   double total() const { return measure_.back(); }

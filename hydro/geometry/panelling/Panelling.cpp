@@ -7,7 +7,9 @@
 #include "hydro/Errors.h"
 #include "hydro/geometry/HullShells.h"
 #include "hydro/geometry/MeshCut.h"
+#include "hydro/geometry/MeshEdges.h"
 #include "hydro/geometry/MeshIntegrals.h"
+#include "hydro/geometry/PlaceText.h"
 #include "hydro/geometry/panelling/PanelQuality.h"
 #include "hydro/geometry/panelling/SectionPanels.h"
 #include "hydro/geometry/panelling/StationField.h"
@@ -138,9 +140,9 @@ class HullPanels {
 
   void checkClosed(const SurfaceMesh& panels) const {
     if (panels.faces.empty())
-      throw HydroError(Fault::HullNotClosed, name_ + ": no section to put panels on");
+      throw HydroError(Fault::SectionsNotFollowed, name_ + ": no section to put panels on");
     if (const std::optional<Vec3> gap = gapIn(panels))
-      throw HydroError(Fault::HullNotClosed,
+      throw HydroError(Fault::SectionsNotFollowed,
                        name_ + ": the sections of the hull split or jump at " + placeText(*gap) +
                            ", where no panels can be laid; use panels = \"as-is\"");
   }
@@ -150,7 +152,7 @@ class HullPanels {
     const double excess = surfaceArea(panels) / area_ - 1;
     if (excess <= kMostExcess) return;
     throw HydroError(
-        Fault::HullNotClosed,
+        Fault::SectionsNotFollowed,
         name_ + ": panels would have " + std::to_string(std::lround(100 * excess)) +
             " % more area than the hull, whose sections cannot be followed (appendages?); "
             "use panels = \"as-is\"");

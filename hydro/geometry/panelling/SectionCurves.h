@@ -3,34 +3,35 @@
 
 #include "hydro/geometry/SurfaceMesh.h"
 
-/// Sections of a surface; not installed.
+/// Sections of a surface as curves measured by their length.
 namespace cutwater {
 
-/// A polygonal line on a surface, measured by its own length.
+/// A polygonal line on a surface.
 struct SectionCurve {
   std::vector<Vec3> points;
-  std::vector<double> arc;  ///< length from the first point [m], one for each point
+  std::vector<double> arc;  ///< length from the first point to each [m]
   bool closed = false;      ///< first point = last
   double length() const { return arc.empty() ? 0.0 : arc.back(); }
-  /// Point at this length from the start, which is held within the curve.
+  /// Point at this length from the start; lengths beyond the curve give its ends.
   Vec3 at(double s) const;
 };
 
 /// The line through these points, repeated ones left out.
 SectionCurve curveThrough(const std::vector<Vec3>& points);
 
-/// Greatest and fourth-power mean distance of points at equal fractions of two curves' lengths [m].
+/// Distance of points at equal fractions of two curves' lengths [m]: greatest, and fourth-power
+/// mean.
 struct CurveDistance {
   double greatest = 0.0, mean = 0.0;
 };
 CurveDistance distanceBetween(const SectionCurve& a, const SectionCurve& b);
 
-/// Lengths at which a line turns by more than `angle` [rad] within `window` [m] before and behind:
-/// knuckles, and bends of so small a radius. None nearer than `window` to an end or to another.
+/// Corners of a line: lengths at which it turns by more than `angle` [rad] from `window` [m] before
+/// to `window` behind. None is nearer than `window` to an end or to another.
 std::vector<double> cornersOf(const SectionCurve& curve, double window, double angle);
 
 /// Cuts one surface many times, at stations: curves along which a number given at its vertices, and
-/// linear between them, is constant; with x it is a plane section.
+/// linear between them, is constant. If the number is x, they are plane sections.
 class SectionCutter {
  public:
   /// @param mesh     vertices shared, normals out; must outlive this object.
@@ -40,8 +41,8 @@ class SectionCutter {
   double high() const { return high_; }
   /// Which side of the station is cut where faces lie in it.
   enum class Side { Below, Above };
-  /// The curves at station c. They run down the port side, to starboard along the bottom. A closed
-  /// curve begins at its highest point. O(faces near the station).
+  /// The curves at station c. They run down the port side, and to starboard along the bottom. A
+  /// closed curve begins at its highest point. O(faces near the station).
   std::vector<SectionCurve> curvesAt(double c, Side side) const;
 
  private:

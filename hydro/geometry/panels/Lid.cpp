@@ -235,7 +235,7 @@ Outline waterline(const SurfaceMesh& wet, bool symmetric) {
     }
   for (std::size_t i = 0; i < uses.size(); ++i)
     if (uses[i] % 2 == 1 && !(symmetric && std::abs(outline.vertices[i].y()) <= tolerance))
-      throw HydroError(Fault::HullNotClosed,
+      throw HydroError(Fault::WaterlineNotClosed,
                        "makeLid: the waterline has a loose end at x = " +
                            std::to_string(outline.vertices[i].x()) +
                            ", y = " + std::to_string(outline.vertices[i].y()));

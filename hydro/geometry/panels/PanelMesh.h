@@ -23,9 +23,9 @@ struct CurvedPatch {
 };
 
 /// What the solver works on: flat panels of the hull below calm water (hull axes, z ≤ 0), and of a
-/// lid on the interior waterplane z = 0 whose normals point up (0, 0, 1).
+/// lid on the interior waterplane z = 0 whose normals point up.
 /// A symmetric hull stores its port half (y ≥ 0); starboard is the mirror image.
-/// panels[i] comes from face i of the wet surface it was made from, in the same order.
+/// panels[i] comes from face i of the wet surface it was made from.
 struct PanelMesh {
   std::vector<Panel> panels;
   std::vector<Panel> lid;            ///< may be empty
@@ -33,8 +33,8 @@ struct PanelMesh {
   bool symmetric = false;
 };
 
-/// Flattens each face about its centroid and mean normal; of a face with an edge on the waterline
-/// the plane contains that edge, so that its vertices stay on z = 0 ([M03] 5.1).
+/// Flattens each face about its centroid and mean normal. The plane of a face with an edge on the
+/// waterline contains that edge, so that its vertices stay on z = 0 ([M03] 5.1).
 /// @param wet  hull below calm water, hull axes; its port half if `symmetric`.
 /// @throws HydroError ValueOutOfRange for a face of no area, naming it.
 PanelMesh makePanels(const SurfaceMesh& wet, bool symmetric);

@@ -4,6 +4,7 @@
 
 #include "hydro/geometry/panels/PanelMesh.h"
 
+/// Points on panels at which a function is evaluated to integrate it.
 namespace cutwater {
 
 /// Gauss-Legendre rule on [0, 1]: nodes and weights, n = 1..16 points, exact for degree 2n − 1.
@@ -15,13 +16,13 @@ struct QuadraturePoint {
   double weight;  ///< [m²]; all weights of a panel sum to its area
 };
 
-/// n × n Gauss points on a flat quadrilateral by its bilinear map; a triangle is three
+/// n × n Gauss points on a flat quadrilateral by its bilinear map. A triangle is three
 /// quadrilaterals about its centroid, so that the points do not depend on which corner is the
 /// first.
 std::vector<QuadraturePoint> panelQuadrature(const Panel& panel, int n);
 
-/// Seven points that integrate polynomials of degree 5 on a parallelogram or triangle [Radon48]. But on
-/// a square they do not depend on which corner is the first.
+/// Seven points that integrate polynomials of degree 5 on a parallelogram or triangle [Radon48].
+/// Except on a square, they depend on which corner is the first.
 std::vector<QuadraturePoint> sevenPoints(const Panel& panel);
 
 /// The four quarters of a panel, cut at the mid-points of its edges.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "hydro/geometry/HullShells.h"
+#include "hydro/geometry/MeshEdges.h"
 
 namespace cutwater {
 namespace {

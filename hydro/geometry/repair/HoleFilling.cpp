@@ -7,7 +7,8 @@
 #include <unordered_map>
 
 #include "hydro/Errors.h"
-#include "hydro/geometry/HullShells.h"
+#include "hydro/geometry/MeshEdges.h"
+#include "hydro/geometry/PlaceText.h"
 
 namespace cutwater {
 namespace {

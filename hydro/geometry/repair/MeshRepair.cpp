@@ -8,12 +8,14 @@
 #include "hydro/Errors.h"
 #include "hydro/geometry/HullShells.h"
 #include "hydro/geometry/MeshCut.h"
+#include "hydro/geometry/MeshEdges.h"
 #include "hydro/geometry/MeshIntegrals.h"
+#include "hydro/geometry/PlaceText.h"
+#include "hydro/geometry/SurfacePatches.h"
 #include "hydro/geometry/SurfaceTree.h"
 #include "hydro/geometry/repair/CrackClosing.h"
 #include "hydro/geometry/repair/HoleFilling.h"
 #include "hydro/geometry/repair/OutsideShell.h"
-#include "hydro/geometry/repair/SurfacePatches.h"
 
 namespace cutwater {
 namespace {
@@ -129,7 +131,7 @@ class Repair {
 
   void check() const {
     if (const int open = firstOpen(); open >= 0)
-      throw HydroError(Fault::HullNotClosed,
+      throw HydroError(Fault::ShellsNotJoined,
                        name_ + ": hull cannot be closed below water at " +
                            placeText(wet_.vertices[static_cast<std::size_t>(open)]) +
                            ", where shells meet");

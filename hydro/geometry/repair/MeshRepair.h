@@ -12,22 +12,23 @@ struct RepairedHull {
   std::vector<std::string> done;  ///< one line each, for people; empty if nothing was wrong
 };
 
-/// Makes a hull of a surface in hull axes that may be a game's visual mesh. Other than makeHull, which
-/// keeps every face, it does below calm water:
-/// - merges vertices closer than 1e-5 of the size, and leaves out faces without area and doubles;
-/// - turns faces to agree with their neighbours and outwards, outside being where the water can be
+/// Makes a hull of a surface in hull axes that may be a game's visual mesh. makeHull keeps every
+/// face; this changes the surface below calm water:
+/// - merges vertices closer than 1e-5 of the size, and drops faces without area and doubles;
+/// - turns faces to agree with their neighbours and outwards; outside is where the water can be
 ///   seen (OutsideView.h);
 /// - joins shells that pass through one another, such as a bulb put through a bow;
-/// - leaves out what is inside: decks, bulkheads, tanks, inner shells; and plates that are seen from
+/// - drops what is inside: decks, bulkheads, tanks, inner shells; and plates that are seen from
 ///   both sides, such as bilge keels of no thickness;
 /// - mirrors a half hull, and closes the keel line where two halves do not meet;
-/// - closes holes whose width (four times area over circumference) is at most 2 % of the hull's length.
+/// - closes holes whose width (four times area over circumference) is at most 2 % of the hull's
+///   length.
 /// Above water nothing is repaired.
-/// `symmetric` is found from the surface, not from the vertices: the mirror image of every vertex lies
-/// on the hull within 2e-4 of the size (a hundredth of them may be off).
+/// `symmetric` is found from the surface, not from the vertices: the mirror image of every vertex
+/// lies on the hull within 2e-4 of the size (a hundredth of them may be off).
 /// @param name  of the file, for messages.
 /// @throws HydroError, one line with name, place and value: as makeHull; HullNotClosed for a wider
-///   hole, and where shells cannot be joined.
+///   hole; HullPartHidden for a shell that is partly inside another; ShellsNotJoined.
 RepairedHull repairedHull(const SurfaceMesh& raw, const std::string& name, Symmetry symmetry);
 
 }  // namespace cutwater

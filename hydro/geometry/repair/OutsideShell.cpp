@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "hydro/Errors.h"
-#include "hydro/geometry/HullShells.h"
+#include "hydro/geometry/PlaceText.h"
 #include "hydro/geometry/repair/CrackClosing.h"
 #include "hydro/geometry/repair/OutsideView.h"
 #include "hydro/geometry/repair/ShellSplit.h"
@@ -37,11 +37,11 @@ struct SeenPatch {
   bool isPartlyHidden() const { return !isInside() && !isPlate() && view.hiddenArea > kHidden; }
 };
 
-class Chooser {
+class ShellFinder {
  public:
-  Chooser(const SurfaceMesh& wet, std::string name) : name_(std::move(name)), wet_(wet) {}
+  ShellFinder(const SurfaceMesh& wet, std::string name) : name_(std::move(name)), wet_(wet) {}
 
-  OutsideShell choose() {
+  OutsideShell find() {
     look();
     if (firstHidden() != nullptr) {
       SplitSurface split = splitWhereCrossing(wet_);
@@ -84,7 +84,7 @@ class Chooser {
     const SeenPatch* hidden = firstHidden();
     if (hidden == nullptr) return;
     throw HydroError(
-        Fault::HullNotClosed,
+        Fault::HullPartHidden,
         fmt::format("{}: {:.0f} % of a shell is hidden from the water by another below "
                     "water, first at {}; give the outer surface alone",
                     name_, 100 * hidden->view.hiddenArea,
@@ -149,7 +149,7 @@ std::string counted(std::size_t n, const std::string& one, const std::string& ma
 }
 
 OutsideShell outsideShell(const SurfaceMesh& wet, const std::string& name) {
-  return Chooser(wet, name).choose();
+  return ShellFinder(wet, name).find();
 }
 
 }  // namespace cutwater

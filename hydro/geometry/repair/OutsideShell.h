@@ -6,17 +6,17 @@
 
 namespace cutwater {
 
-/// What the water touches of a surface, and what was done to find it, in words. Not installed.
+/// The part of a surface that the water touches, and what was done to find it, in words.
 struct OutsideShell {
   SurfaceMesh mesh;  ///< normals towards the water
   std::vector<std::string> done;
 };
 
-/// Keeps the patches of a wet surface that are seen from the water on one side, turned towards it. Left
-/// out are those that are not seen (decks, bulkheads, inner shells) and those that are seen from both
-/// sides (plates). Shells that pass through one another are split there first.
-/// @throws HydroError HullNotClosed, naming the place, if nothing is left, or a patch is partly hidden for
-///   another reason; HullInverted for a one-sided patch.
+/// Keeps the patches of a wet surface that are seen from the water on one side, turned towards it.
+/// Patches that are not seen (decks, bulkheads, inner shells) and patches that are seen from both
+/// sides (plates) are dropped. Shells that pass through one another are split there first.
+/// @throws HydroError, naming the place: HullNotClosed if nothing is left; HullPartHidden if a
+///   patch is partly hidden for another reason; HullInverted for a one-sided patch.
 OutsideShell outsideShell(const SurfaceMesh& wet, const std::string& name);
 
 /// "1 face", "2 faces"; `many` where an s does not do.

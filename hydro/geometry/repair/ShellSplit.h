@@ -5,10 +5,10 @@
 
 namespace cutwater {
 
-/// Of the size: corners of the parts of split faces nearer than this are one.
+/// Part of the size within which corners of the parts of split faces are one.
 inline constexpr double kTogether = 1e-6;
 
-/// A surface whose faces do not pass through one another any more. Not installed.
+/// A surface whose faces do not pass through one another any more.
 struct SplitSurface {
   SurfaceMesh mesh;           ///< triangles; the parts of a split face have vertices of their own
   int firstCut = 0;           ///< vertices from here on were made by splitting
@@ -16,8 +16,9 @@ struct SplitSurface {
   Vec3 first = Vec3::Zero();  ///< a corner of the first of them
 };
 
-/// Divides every face where others pass through it, along the plane of the other, and then what lies
-/// beside the lines of crossing until all parts there share their edges. Faces in one plane are left alone. O(n log n) for few crossings.
+/// Divides every face where others pass through it, along the plane of the other. Then it divides
+/// what lies beside the lines of crossing until all parts there share their edges. Faces in one
+/// plane are left alone. O(n log n) for few crossings.
 SplitSurface splitWhereCrossing(const SurfaceMesh& mesh);
 
 }  // namespace cutwater

@@ -5,21 +5,22 @@
 
 namespace cutwater {
 
-/// A hull known by a table of offsets. Its surface passes through all points of the table: monotone cubic
-/// splines [Fritsch & Carlson 1980] along each section by its chord length, then lengthwise at equal
-/// fractions of the girth above and below calm water, so that nothing overshoots. Forward of the first
-/// section the waterlines are rounded off, each as far as it is half as broad there; aft the hull ends in
-/// the flat transom of the last section; on top in a deck at the height of the table's highest points.
+/// A hull known by a table of offsets. Its surface passes through all points of the table: monotone
+/// cubic splines [Fritsch & Carlson 1980] along each section by its chord length, then lengthwise
+/// at equal fractions of the girth above and below calm water, so that nothing overshoots. Forward
+/// of the first section the waterlines are rounded off, each as far as it is half as broad there;
+/// aft the hull ends in the flat transom of the last section; on top in a deck at the height of the
+/// table's highest points.
 class LoftedHull {
  public:
-  /// @param offsets  points of the port side in hull axes [m] (z = 0 calm water): section by section from
-  ///   the bow aft, each from the top down to the keel, y ≥ 0.
-  /// @throws HydroError ValueOutOfRange, naming the section: fewer than 3 points, z rising, wholly above
-  ///   or below calm water; BadArgument for fewer than 3 sections or x not falling.
+  /// @param offsets  points of the port side in hull axes [m] (z = 0 calm water): section by
+  ///   section from the bow aft, each from the top down to the keel, y ≥ 0.
+  /// @throws HydroError ValueOutOfRange, naming the section: fewer than 3 points, z rising, wholly
+  ///   above or below calm water; BadArgument for fewer than 3 sections or x not falling.
   explicit LoftedHull(const std::vector<Vec3>& offsets);
 
-  /// Port half below calm water, normals out, ready for makePanels: `along` strips from transom to stem,
-  /// two of them on the rounded stem, `girth` from calm water to the keel.
+  /// Port half below calm water, normals out, ready for makePanels: `along` strips from transom to
+  /// stem, two of them on the rounded stem, `girth` from calm water to the keel.
   SurfaceMesh wet(int along, int girth) const;
   /// Both sides with transom and deck, closed; the wet faces of `wet` first.
   SurfaceMesh closed(int along, int girth) const;

@@ -4,7 +4,8 @@
 
 #include "hydro/geometry/SurfaceMesh.h"
 
-/// Building blocks of Shapes.cpp and FrigateShape.cpp.
+/// Surfaces from functions of two parameters: what Shapes.cpp, FrigateShape.cpp and Loft.cpp build
+/// with.
 namespace cutwater {
 
 /// Faces between the points P(u_i, v_j), normals along ∂P/∂u × ∂P/∂v: for a port side u runs from
@@ -21,7 +22,8 @@ SurfaceMesh gridOfCurves(const std::vector<double>& u, const std::vector<double>
 SurfaceMesh wallSided(const std::vector<double>& u, int up, int acrossDeck,
                       const std::function<Vec3(double)>& deckEdge);
 
-/// Wet port half, its mirror image, then the dry part and its mirror image, with shared vertices.
+/// A whole hull from its port half: the wet part, its mirror image, the dry part and its mirror
+/// image, with shared vertices.
 SurfaceMesh closedFromHalves(const SurfaceMesh& wetHalf, const SurfaceMesh& dryHalf);
 
 }  // namespace cutwater

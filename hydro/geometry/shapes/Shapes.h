@@ -1,19 +1,22 @@
 #pragma once
 #include "hydro/geometry/SurfaceMesh.h"
 
-namespace cutwater {
-
-/// Hulls known by a formula. Every mesh is inscribed: its vertices lie on the surface, unscaled, so
-/// that volume and area approach the formula's from below at second order in the panel size.
+/// Hulls known by a formula: box, ellipsoid, sphere, Wigley hulls, a frigate.
+///     const SurfaceMesh wet = wetWigley(wigley(3), 40, 10);  // port half below water, for
+///     makePanels const SurfaceMesh hull = closedWigley(wigley(3), 0.1, 40, 10);  // watertight,
+///     with deck
 ///
+/// Every mesh is inscribed: its vertices lie on the surface, unscaled, so that volume and area
+/// approach the formula's from below at second order in the panel size.
 /// `wet…` is the port half (y ≥ 0) below calm water, normals out, ready for makePanels(·, true).
 /// `closed…` is the whole watertight hull, both sides with deck: the same faces below water first
 /// (port, then, mirrored, starboard), continued above it, with waterline vertices on z = 0 exactly.
-/// One such file therefore serves the solver "as is" and nonlinear buoyancy and collision. All
-/// throw HydroError BadArgument for counts below 1 and ValueOutOfRange for lengths ≤ 0.
+/// One such file serves the solver "as is", nonlinear buoyancy and collision.
+/// All throw HydroError BadArgument for counts below 1 and ValueOutOfRange for lengths ≤ 0.
+namespace cutwater {
 
-/// Box of length × breadth × draft, amidships at x = 0, with `freeboard` above water; faces divided
-/// in nx × (half breadth) ny × (draft) nz.
+/// Box amidships at x = 0, with `freeboard` above water; faces divided in nx × (half breadth) ny ×
+/// (draft) nz. Lengths in m.
 struct BoxShape {
   double length, breadth, draft, freeboard;
 };
@@ -24,14 +27,13 @@ SurfaceMesh closedBox(const BoxShape& box, int nx, int ny, int nz);
 /// of the eccentric angle (dense at the ends), girthwise equal steps of angle. V = ⅔π a b c,
 /// waterplane π a b, centroid −⅜ c. The closed form is wall-sided above water, with deck.
 struct EllipsoidShape {
-  double a, b, c;
+  double a, b, c;  ///< [m]
 };
 SurfaceMesh wetHalfEllipsoid(const EllipsoidShape& e, int along, int girth);
 SurfaceMesh closedHalfEllipsoid(const EllipsoidShape& e, double freeboard, int along, int girth);
 
-/// Floating hemisphere of radius a, pole at the bottom: `around` meridian strips on the port half
-/// times `down` rings: around × down panels. 27 × 16 = 432 and 40 × 26 = 1040 give panels of mean
-/// aspect 1.
+/// Floating hemisphere, pole at the bottom: `around` meridian strips on the port half times `down`
+/// rings. 27 × 16 = 432 and 40 × 26 = 1040 give panels of mean aspect 1.
 SurfaceMesh wetHemisphere(double radius, int around, int down);
 /// Whole sphere whose centre lies on calm water.
 SurfaceMesh closedSphere(double radius, int around, int down);
@@ -54,8 +56,8 @@ SurfaceMesh closedWigley(const WigleyShape& hull, double freeboard, int along, i
 /// one split corner at the transom: along × girth + 1 panels a side.
 SurfaceMesh wetFrigate(int along, int girth);
 SurfaceMesh closedFrigate(int along, int girth);
-/// One of the three panel meshes in use: 224, 433 or 1040 a side (±2); any other count: the
-/// division whose panels are about twice as long as their girth.
+/// Stations and strips of the panel meshes in use: 224, 433 or 1040 a side (±2); for any other
+/// count the division whose panels are about twice as long as their girth.
 struct FrigateDivision {
   int along, girth;
 };

@@ -7,11 +7,11 @@
 /// How a line is divided into panel edges. All throw HydroError BadArgument for counts below 1.
 namespace cutwater {
 
-/// n + 1 equal steps from 0 to 1.
+/// n + 1 values from 0 to 1 in equal steps.
 std::vector<double> uniform(int n);
 
-/// n + 1 values from 0 to 1: uniform for c = 0; for 0 < c < 1 closer together at both ends, spacing
-/// proportional to 1 − c cos 2πu.
+/// n + 1 values from 0 to 1, closer together at both ends: the spacing goes as 1 − c cos 2πu, 0 ≤ c
+/// < 1.
 std::vector<double> spacedAtEnds(int n, double c);
 
 /// n + 1 values from 0 to 1, closer together at 0: the spacing goes from 1 − c to 1 + c of the mean
@@ -21,7 +21,7 @@ std::vector<double> spacedAtStart(int n, double c);
 /// n + 1 parameters t in [0, 1] that cut the curve into n parts of equal length.
 std::vector<double> equalArcs(int n, const std::function<Vec3(double)>& curve);
 
-/// The same at these fractions of its length, rising from 0 to 1.
+/// Parameters t that cut the curve at these fractions of its length, rising from 0 to 1.
 std::vector<double> arcsAt(const std::vector<double>& fractions,
                            const std::function<Vec3(double)>& curve);
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "hydro/Errors.h"
-#include "hydro/geometry/HullShells.h"
 #include "hydro/geometry/MeshIntegrals.h"
+#include "hydro/geometry/PlaceText.h"
 #include "hydro/geometry/SurfaceTree.h"
 #include "hydro/geometry/panelling/FlatPolygon.h"
 #include "hydro/geometry/panelling/PanelQuality.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "hydro/geometry/MeshIntegrals.h"
-#include "hydro/geometry/repair/SurfacePatches.h"
+#include "hydro/geometry/SurfacePatches.h"
 #include "tests/support/Hulls.h"
 #include "tests/support/Meshes.h"
 #include "tests/support/Refusal.h"

@@ -1,10 +1,11 @@
-#include "hydro/geometry/repair/SurfacePatches.h"
+#include "hydro/geometry/SurfacePatches.h"
 
 #include <algorithm>
 #include <cstdint>
 
 #include "hydro/Errors.h"
-#include "hydro/geometry/HullShells.h"
+#include "hydro/geometry/MeshEdges.h"
+#include "hydro/geometry/PlaceText.h"
 
 namespace cutwater {
 namespace {
