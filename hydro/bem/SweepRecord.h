@@ -1,5 +1,10 @@
 #pragma once
-#include "hydro/bem/BuildCoefficients.h"
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hydro/bem/settings/SolveSettings.h"
+#include "hydro/database/SolverOutput.h"
 
 namespace cutwater {
 

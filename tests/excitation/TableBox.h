@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hydro/waves/SeaState.h"
-#include "tests/forces/BoxShip.h"
+#include "tests/excitation/BoxShip.h"
 
 namespace cutwater::test {
 

@@ -4,7 +4,7 @@
 
 #include "hydro/Errors.h"
 #include "hydro/excitation/WaveExcitation.h"
-#include "tests/forces/BoxShip.h"
+#include "tests/excitation/BoxShip.h"
 
 namespace cutwater {
 namespace {

@@ -6,7 +6,7 @@
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/excitation/WaveExcitation.h"
 #include "hydro/response/FrequencyResponse.h"
-#include "tests/forces/BoxShip.h"
+#include "tests/excitation/BoxShip.h"
 #include "tests/forces/WaveLoads.h"
 
 namespace cutwater {

@@ -5,7 +5,7 @@
 #include "hydro/excitation/WaveExcitation.h"
 #include "hydro/forces/linear/Restoring.h"
 #include "hydro/forces/linear/SupplementaryForce.h"
-#include "tests/forces/BoxShip.h"
+#include "tests/excitation/BoxShip.h"
 #include "tests/forces/WaveLoads.h"
 
 namespace cutwater {

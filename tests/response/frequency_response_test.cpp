@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "hydro/response/FrequencyResponse.h"
-#include "tests/forces/BoxShip.h"
+#include "tests/excitation/BoxShip.h"
 
 namespace cutwater {
 namespace {
