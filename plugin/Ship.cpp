@@ -156,7 +156,7 @@ void Ship::findInput(double time, double step, const Mat3& heading) noexcept {
 
 void Ship::prepare(double step) {
   preparedFor_ = 0.0;
-  for (Part& part : parts_) {
+  for (ShipPart& part : parts_) {
     if (part.force) part.force->prepare(step);
   }
   preparedFor_ = step;
@@ -174,7 +174,7 @@ std::uint32_t Ship::matchTick(double step) noexcept {
   return known ? kTickLengthChanged : kStepOk;
 }
 
-Wrench Ship::evaluatePart(Part& part) noexcept {
+Wrench Ship::evaluatePart(ShipPart& part) noexcept {
   if (!measuring_) return part.force->evaluate(input_);
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
@@ -197,7 +197,7 @@ std::uint32_t Ship::evaluate(const Mat3& heading) noexcept {
   gravity.setZero();
   gravity.head<3>() = input_.weight;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    Part& part = parts_[i];
+    ShipPart& part = parts_[i];
     if (!part.force) continue;
     Vec6& load = record_.loads[i];
     load = part.active() ? inCourseAxes(evaluatePart(part), heading) : Vec6(Vec6::Zero());
@@ -239,7 +239,7 @@ bool Ship::apply(btScalar step, const Mat3& heading) noexcept {
 bool Ship::recovered() noexcept {
   if (finite(addedMass_->linearVelocity()) && finite(addedMass_->angularVelocity())) return false;
   startAgain();
-  for (Part& part : parts_) {
+  for (ShipPart& part : parts_) {
     if (part.force) part.force->reset();
   }
   return true;

@@ -23,6 +23,7 @@ CUTWATER_PLUGIN_BEGIN
 
 class AddedMassConstraint;
 class CourseRestraint;
+struct ShipPart;  // of the load, with what the ship knows about it
 
 /// What Bullet's contacts work on; hydrodynamics does not look at it.
 struct CollisionShape {
@@ -201,13 +202,12 @@ class Ship {
   void endTick(btScalar step) noexcept;
 
  private:
-  struct Part;  // of the load, with what the ship knows about it
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
   void createBody(const ShipSettings& settings);
   void adoptBody(btRigidBody& own, const ShipSettings& settings);
   void makeParts(const ShipSettings& settings);
-  void addPart(Part part);
+  void addPart(ShipPart part);
   void switchOff(const std::vector<std::string>& parts);
   void saveParts(Snapshot& snapshot) const;
   void checkParts(const Snapshot& snapshot) const;
@@ -224,7 +224,7 @@ class Ship {
   void findMotion(TickInput& input, const Mat3& heading) const noexcept;
   void findInput(double time, double step, const Mat3& heading) noexcept;
   std::uint32_t evaluate(const Mat3& heading) noexcept;
-  Wrench evaluatePart(Part& part) noexcept;
+  Wrench evaluatePart(ShipPart& part) noexcept;
   Vec6 inCourseAxes(const Wrench& wrench, const Mat3& heading) const noexcept;
   Vec6 sumOfLoads() const noexcept;
   bool apply(btScalar step, const Mat3& heading) noexcept;
@@ -246,7 +246,7 @@ class Ship {
   MeanCourse course_;
   double headingAtSolve_ = 0.0;  // ψ̄ of the last solve
 
-  std::vector<Part> parts_;
+  std::vector<ShipPart> parts_;
   Autopilots* autopilots_ = nullptr;  // one of the parts
   double preparedFor_ = 0.0;          // length of tick the parts were made for; 0: none
   std::uint64_t partsKey_ = 0;

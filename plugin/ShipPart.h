@@ -2,12 +2,13 @@
 #include <memory>
 #include <string>
 
-#include "plugin/Ship.h"
+#include "hydro/forces/ForceGenerator.h"
+#include "plugin/BulletTypes.h"
 
 CUTWATER_PLUGIN_BEGIN
 
 /// One part of a ship's load, and what the ship knows about it.
-struct Ship::Part {
+struct ShipPart {
   std::string name;
   std::unique_ptr<ForceGenerator> force{};  ///< null: Bullet's own, gravity and added_mass
   /// Potential flow of the database. These loads and those added to them are summed apart, so that

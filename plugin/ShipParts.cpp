@@ -13,6 +13,7 @@
 #include "hydro/forces/linear/SupplementaryForce.h"
 #include "hydro/forces/linear/WaveForce.h"
 #include "plugin/AddedMassConstraint.h"
+#include "plugin/Ship.h"
 #include "plugin/ShipPart.h"
 
 CUTWATER_PLUGIN_BEGIN
@@ -56,7 +57,7 @@ void Ship::makeParts(const ShipSettings& settings) {
   if (settings.model.keepCourse) keepCourse(*settings.model.keepCourse);
 }
 
-void Ship::addPart(Part part) {
+void Ship::addPart(ShipPart part) {
   parts_.push_back(std::move(part));
   partsChanged();
 }
@@ -64,15 +65,15 @@ void Ship::addPart(Part part) {
 void Ship::partsChanged() {
   record_.loads.resize(parts_.size(), Vec6::Zero());
   Fnv1a key;
-  for (Part& part : parts_) {
+  for (ShipPart& part : parts_) {
     key.add(part.name.c_str(), part.name.size() + 1);
     part.replaced = false;
   }
   partsKey_ = key.value();
-  for (const Part& part : parts_) {
+  for (const ShipPart& part : parts_) {
     if (!part.on || !part.force) continue;
     for (const std::string_view name : part.force->replaces()) {
-      for (Part& other : parts_) other.replaced = other.replaced || other.name == name;
+      for (ShipPart& other : parts_) other.replaced = other.replaced || other.name == name;
     }
   }
 }
@@ -88,7 +89,7 @@ std::size_t Ship::indexOf(std::string_view name) const {
 
 std::vector<std::string_view> Ship::parts() const {
   std::vector<std::string_view> names;
-  for (const Part& part : parts_) names.emplace_back(part.name);
+  for (const ShipPart& part : parts_) names.emplace_back(part.name);
   return names;
 }
 
@@ -100,7 +101,7 @@ void Ship::addForce(std::unique_ptr<ForceGenerator> force) {
   if (!isName(name)) {
     refuse("addForce: \"" + name + "\" is no name of a part; letters, digits and _ only");
   }
-  for (const Part& part : parts_) {
+  for (const ShipPart& part : parts_) {
     if (part.name == name) refuse("addForce: there is a part called \"" + name + "\" already");
   }
   if (preparedFor_ > 0.0) force->prepare(preparedFor_);
@@ -125,7 +126,7 @@ std::unique_ptr<ForceGenerator> Ship::removeForce(std::string_view part) {
 void Ship::setEnabled(std::string_view name, bool on) {
   const std::size_t i = indexOf(name);
   if (i == kGravityPart) refuse("gravity is Bullet's own part; set the world's");
-  Part& part = parts_[i];
+  ShipPart& part = parts_[i];
   if (part.on == on) return;
   part.on = on;
   record_.loads[i].setZero();
@@ -155,7 +156,7 @@ std::string Ship::brokenPart() {
 void Ship::measureCosts(bool on) noexcept {
   measuring_ = on;
   if (!on) return;
-  for (Part& part : parts_) {
+  for (ShipPart& part : parts_) {
     part.nanoseconds = 0.0;
     part.timed = 0;
   }
@@ -163,7 +164,7 @@ void Ship::measureCosts(bool on) noexcept {
 
 std::vector<double> Ship::costs() const {
   std::vector<double> mean;
-  for (const Part& part : parts_) {
+  for (const ShipPart& part : parts_) {
     mean.push_back(part.timed > 0 ? part.nanoseconds / static_cast<double>(part.timed) : 0.0);
   }
   return mean;

@@ -6,6 +6,7 @@
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/forces/SeaTables.h"
 #include "plugin/AddedMassConstraint.h"
+#include "plugin/Ship.h"
 #include "plugin/ShipAxes.h"
 #include "plugin/ShipPart.h"
 
@@ -129,7 +130,7 @@ void Ship::placeAt(double x, double y, double heading, const Vec6& offset, doubl
   input_.courseBegins = true;
   body_->setCenterOfMassTransform(poseAt(offset));
   resetVelocity(rotationZ(heading) * Vec3(speed, 0.0, 0.0), Vec3::Zero());
-  for (Part& part : parts_) {
+  for (ShipPart& part : parts_) {
     if (part.force) part.force->reset();
   }
 }
@@ -198,7 +199,7 @@ void Ship::restoreParts(const Snapshot& s) {
   const double* from = s.states.data();
   bool changed = false;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    Part& part = parts_[i];
+    ShipPart& part = parts_[i];
     const bool on = s.enabled[i] != 0;
     changed = changed || part.on != on;
     part.on = on;
