@@ -54,8 +54,8 @@ int main(int argc, char** argv) try {
   for (int i = 0; i < ticks; ++i) world.stepSimulation(btScalar(step), 1, btScalar(step));
 
   const double reached = ship.velocity()[2] / (ticks * step);
-  const double expected =
-      (pull - sphere.ship.restoring(2, 2) * lift) / (sphere.ship.mass + sphere.addedMass.atInfinity(2, 2));
+  const double expected = (pull - sphere.ship.restoring(2, 2) * lift) /
+                          (sphere.ship.mass + sphere.addedMass.atInfinity(2, 2));
   std::printf("%zu bytes a btScalar: %.4f m/s2, expected %.4f\n", sizeof(btScalar), reached,
               expected);
   // 5 %: in 0.05 s the waves it radiates and the change of C33 z are still of second order.
