@@ -17,6 +17,7 @@ KIND = "ClosedForm|Identity|Convergence|Verification|Regression"
 SUITE = re.compile(rf"\b([A-Z]\w*(?:{KIND}))(?:\.([A-Z]\w*|\*))?(…)?")
 CONSTANT = re.compile(r"\bk[A-Z][a-z]\w*\b")
 IDENTIFIER = re.compile(r"\b(?=\w*[a-z])(?:[A-Za-z]+\w*[a-z0-9][A-Z]\w*|[A-Za-z]\w{2,}_\w{2,})\b")
+MACRO = re.compile(r"\bCUTWATER_[A-Z_]+\b")
 QUALIFIED = re.compile(r"\b\w+(?:::\w+)+")
 OPTION = re.compile(r"(?<![\w-])--[a-z][\w-]+")
 DECISION = re.compile(r"\b(?:decisions? |and |to |\()(0\d{3})\b")
@@ -109,7 +110,7 @@ def faults_of_prose(project, path, text):
             yield f"test {suite}{'.' if test else ''}{test}"
     yield from faults_of_files_and_constants(project, LINK.sub("]", text))
     code = FILE.sub("", SUITE.sub("", code_of(text)))
-    names = set(IDENTIFIER.findall(code)) | set(OPTION.findall(code))
+    names = set(IDENTIFIER.findall(code)) | set(MACRO.findall(code)) | set(OPTION.findall(code))
     for parts in (name.split("::") for name in QUALIFIED.findall(code)):
         names = names - set(parts) if THEIRS.fullmatch(parts[0]) else names | set(parts)
     for name in sorted(names - project.words):
