@@ -5,7 +5,8 @@
 
 #include "hydro/base/SimdMath.h"
 
-// Against the same functions in extended precision. 2⁻⁵³ = 1.1e-16 is half a unit in the last place.
+// Against the same functions in extended precision. 2⁻⁵³ = 1.1e-16 is half a unit in the last
+// place.
 namespace cutwater {
 namespace {
 

@@ -20,8 +20,8 @@ struct CurvedSphere {
   ModeNormals normals;
 };
 
-/// Relative errors of the patches' vector areas, whose sum over the port half is that of half a disc on
-/// calm water and of as much on the centreline.
+/// Relative errors of the patches' vector areas, whose sum over the port half is that of half a
+/// disc on calm water and of as much on the centreline.
 std::array<double, 2> discErrors(int around, int down) {
   const CurvedSphere sphere(around, down);
   Vec3 sum = Vec3::Zero();
@@ -30,8 +30,8 @@ std::array<double, 2> discErrors(int around, int down) {
   return {sum.y() / (0.5 * kPi) - 1.0, sum.z() / (-0.5 * kPi) - 1.0};
 }
 
-// Patches meet, so that only the arcs of the rim tell: parabolas for circles, fourth order in the angle
-// between two vertices. Chords, as flat panels have, would be of second order.
+// Patches meet, so that only the arcs of the rim tell: parabolas for circles, fourth order in the
+// angle between two vertices. Chords, as flat panels have, would be of second order.
 TEST(CurvedPanelsConvergence, VectorAreasSumToTheDiscAtFourthOrder) {
   const auto coarse = discErrors(16, 10), fine = discErrors(32, 20);
   for (std::size_t i = 0; i < coarse.size(); ++i)
@@ -57,9 +57,9 @@ std::array<double, 4> sphereErrors(int around, int down) {
           integral(Heave, 2) / volume - 1.0, (integral(Pitch, 0) - pitch) / volume};
 }
 
-// The weights take x and n_j as linear on a panel. Fourth order, since what they leave out, cubic in the
-// distance from the centroid, is odd; 3.5 allows for the pole, where panels are triangles. With n_j ΔS of
-// the moved panels it is the second.
+// The weights take x and n_j as linear on a panel. Fourth order, since what they leave out, cubic
+// in the distance from the centroid, is odd; 3.5 allows for the pole, where panels are triangles.
+// With n_j ΔS of the moved panels it is the second.
 TEST(CurvedPanelsConvergence, WeightsIntegrateAtFourthOrder) {
   const auto coarse = sphereErrors(16, 10), fine = sphereErrors(32, 20);
   for (std::size_t i = 0; i < coarse.size(); ++i) {
@@ -68,7 +68,8 @@ TEST(CurvedPanelsConvergence, WeightsIntegrateAtFourthOrder) {
   }
 }
 
-// Mirror images for neighbours across the centreline are the whole hull's own. Round-off of the fits.
+// Mirror images for neighbours across the centreline are the whole hull's own. Round-off of the
+// fits.
 TEST(CurvedPanelsIdentity, HalfHullHasTheWeightsOfTheWhole) {
   const CurvedSphere half(8, 5);
   const SurfaceMesh both = bothHalves(half.wet);

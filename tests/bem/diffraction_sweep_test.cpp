@@ -73,8 +73,8 @@ TEST(DiffractionSweep, TableIsWhatTheExcitationReads) {
 }
 
 // Linear interpolation: second order in the step of the grid, h²/8 of a curvature that a ship's
-// length sets. Between panels a distance r apart the phase turns by 2ωhr/g, 2 rad for half a ship at
-// 1.5 rad/s and h = 0.1; they share a few per cent of the force, hence 3 %. With lid nothing
+// length sets. Between panels a distance r apart the phase turns by 2ωhr/g, 2 rad for half a ship
+// at 1.5 rad/s and h = 0.1; they share a few per cent of the force, hence 3 %. With lid nothing
 // resonates inside and the inverses serve as well.
 TEST(DiffractionSweepConvergence, InterpolatedMatricesAreOfSecondOrderInTheGrid) {
   const ShipParticulars ship = frigate(20, 5);

@@ -28,8 +28,8 @@ double backwardError(const Eigen::MatrixXcd& m, const Eigen::MatrixXcd& x,
          (norm * x.cwiseAbs().maxCoeff() + b.cwiseAbs().maxCoeff());
 }
 
-// Single precision alone would leave 1e-7, 1e-10 are promised; beyond condition numbers of 1e7 it has no digit
-// to refine and double precision takes over.
+// Single precision alone would leave 1e-7, 1e-10 are promised; beyond condition numbers of 1e7 it
+// has no digit to refine and double precision takes over.
 TEST(FactorizationIdentity, SolutionsAreThoseOfANearbyMatrix) {
   for (const Eigen::Index n : {3, 6, 10}) {
     const Eigen::MatrixXcd m = hilbert(n);
@@ -48,8 +48,9 @@ TEST(FactorizationIdentity, SolutionsAreThoseOfANearbyMatrix) {
   }
 }
 
-// An estimate from below, rarely by more than a third [Higham88]; here of matrices whose inverse has one
-// great column, many alike, and random ones. 2e-3: factors in single precision, condition 3e4 at most.
+// An estimate from below, rarely by more than a third [Higham88]; here of matrices whose inverse
+// has one great column, many alike, and random ones. 2e-3: factors in single precision, condition
+// 3e4 at most.
 TEST(FactorizationIdentity, ConditionNumbersAreThoseOfTheInverse) {
   std::vector<Eigen::MatrixXcd> matrices{hilbert(3), hilbert(4), Eigen::MatrixXcd::Identity(1, 1)};
   for (const Eigen::Index n : {7, 40, 130})
@@ -99,8 +100,8 @@ void expectSmallBackwardErrors() {
   }
 }
 
-// From condition numbers where two solves and one residual do, through more of both, to those where single
-// precision does not: what is promised, real and complex.
+// From condition numbers where two solves and one residual do, through more of both, to those where
+// single precision does not: what is promised, real and complex.
 TEST(FactorizationIdentity, BackwardErrorsAtEveryConditionNumber) {
   expectSmallBackwardErrors<double>();
   expectSmallBackwardErrors<Complex>();

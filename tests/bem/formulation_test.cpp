@@ -39,8 +39,8 @@ double distance(const CMat6& a, const CMat6& b) {
   return (a - b).cwiseAbs().cwiseQuotient(size * size.transpose()).maxCoeff();
 }
 
-// The limit of fine panels is one; the distance is the discretisation error of the worse of the two,
-// first order in the panels of a hull whose waterline is a right angle: a few per cent here.
+// The limit of fine panels is one; the distance is the discretisation error of the worse of the
+// two, first order in the panels of a hull whose waterline is a right angle: a few per cent here.
 TEST(FormulationConvergence, SourcesAndGreensIdentityMeet) {
   const double K = 0.4;
   const auto apart = [&](int along) {
@@ -53,7 +53,8 @@ TEST(FormulationConvergence, SourcesAndGreensIdentityMeet) {
 }
 
 // With the equation averaged over its panel D_source = (1/S) Dᵀ_potential S, hence Z of one is the
-// transpose of the other's. What is left is the quadrature of that average, falling with its points.
+// transpose of the other's. What is left is the quadrature of that average, falling with its
+// points.
 TEST(FormulationIdentity, GalerkinSourcesAreTheTransposeOfGreensIdentity) {
   const SurfaceMesh wet = wetBox({4.0, 2.0, 1.0, 0.0}, 8, 4, 3);
   const auto apart = [&](int points) {

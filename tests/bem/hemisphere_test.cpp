@@ -85,15 +85,15 @@ TEST(HemisphereClosedForm, AddedMassAndDampingOfHeaveAndSurge) {
   expectWithin(Hulme(), 40, 26, 0.0025, 0.005);
 }
 
-/// What the best of other codes reach, % of each curve's maximum, in the order of Curves; given to two
-/// decimals.
+/// What the best of other codes reach, % of each curve's maximum, in the order of Curves; given to
+/// two decimals.
 constexpr Curves kPeers432{0.10, 0.23, 0.50, 0.55}, kPeers1040{0.05, 0.06, 0.09, 0.17};
 constexpr double kTwoDecimals = 0.005;
 
-// Of the error of flat panels two thirds are the volume that an inscribed polyhedron lacks; panels moved
-// out to the sphere do not lack it. Most of what is then left is the variation of normal and potential
-// over a panel, which the weights of curved panels hold. At 160 panels no curve is worse than 0.42 %: for
-// a second-order method 0.15 % at 432 and 0.06 % at 1040.
+// Of the error of flat panels two thirds are the volume that an inscribed polyhedron lacks; panels
+// moved out to the sphere do not lack it. Most of what is then left is the variation of normal and
+// potential over a panel, which the weights of curved panels hold. At 160 panels no curve is worse
+// than 0.42 %: for a second-order method 0.15 % at 432 and 0.06 % at 1040.
 TEST(HemisphereClosedForm, CurvedPanelsHaveTheVolumeOfTheSphere) {
   const Hulme hulme;
   const Curves flat = worst(hulme, 16, 10, true, 0.0, 2.0);

@@ -66,10 +66,10 @@ TEST(LimitsClosedForm, AddedMassOfAHalfEllipsoid) {
   }
 }
 
-// 5 % of the exact value, and 1 % of ∂A53, ∂A62 where the exact value is 0 on paper only (A35, A26),
-// are the acceptance lines at 400 panels; 0.6 % and 0.06 % are reached. Twice the panels at second order:
-// half the error; 0.8 leaves room for the poles. Where the symmetry of the ends makes it 0 it is 0 to
-// round-off.
+// 5 % of the exact value, and 1 % of ∂A53, ∂A62 where the exact value is 0 on paper only (A35,
+// A26), are the acceptance lines at 400 panels; 0.6 % and 0.06 % are reached. Twice the panels at
+// second order: half the error; 0.8 leaves room for the poles. Where the symmetry of the ends makes
+// it 0 it is 0 to round-off.
 TEST(LimitsClosedForm, LongitudinalDerivativeIntegralsOfAHalfEllipsoid) {
   const auto exact = exactValues();
   const double scale53 = exact.at("dA53/dx(inf)"), scale62 = -exact.at("dA62/dx(0)");

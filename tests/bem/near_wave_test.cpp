@@ -60,8 +60,8 @@ TEST(NearWaveConvergence, SplitTermOfAWaterlinePanelAndItsNeighbours) {
   }
 }
 
-// The wave term knows the distance only: field and source exchanged, one of them perhaps at −y, are the
-// same sums, to round-off of their order.
+// The wave term knows the distance only: field and source exchanged, one of them perhaps at −y, are
+// the same sums, to round-off of their order.
 TEST(NearWaveIdentity, ExchangedSumsAreThoseOfExchangedPanels) {
   const auto a = sevenPoints(quad({0, 1, 0}, {2, 1.1, 0}, {2, 0.9, -1}, {0, 0.8, -1}));
   const auto b = panelQuadrature(quad({2, 1.1, 0}, {4, 0.8, 0}, {4, 0.7, -1}, {2, 0.9, -1}), 2);
@@ -83,8 +83,9 @@ TEST(NearWaveIdentity, ExchangedSumsAreThoseOfExchangedPanels) {
     }
 }
 
-// 4 and 7 points on either panel against 12 × 12. Of waves they leave θ⁴/270 and θ⁶/12500, θ = K·diameter/2, on
-// each of two panels. Of the rest, smooth but for R ln R where the panels meet, K·size/100.
+// 4 and 7 points on either panel against 12 × 12. Of waves they leave θ⁴/270 and θ⁶/12500,
+// θ = K·diameter/2, on each of two panels. Of the rest, smooth but for R ln R where the panels
+// meet, K·size/100.
 TEST(NearWaveConvergence, FewPointsOnBothPanels) {
   const Panel wall = quad({0, 0, 0}, {3, 0, 0}, {3, 0, -2}, {0, 0, -2}),
               next = quad({3, 0, 0}, {6, 0.5, 0}, {6, 0.4, -2}, {3, 0, -2});

@@ -7,11 +7,11 @@
 namespace cutwater::test {
 namespace {
 
-// Sums of a few hundred terms through one system; solutions from either side are two solves in single
-// precision, (6e-8)² times condition numbers of 1e1 to 1e2 here.
+// Sums of a few hundred terms through one system; solutions from either side are two solves in
+// single precision, (6e-8)² times condition numbers of 1e1 to 1e2 here.
 constexpr double kRoundOff = 1e-10;
-// Of two systems: backward errors of 1e-11 at most where 1e-10 is promised, times condition numbers of 1e2
-// to 1e3.
+// Of two systems: backward errors of 1e-11 at most where 1e-10 is promised, times condition numbers
+// of 1e2 to 1e3.
 constexpr double kResidual = 1e-8;
 
 /// Also at one angle oblique to the hull, all that a frequency gives.
@@ -129,8 +129,8 @@ TEST(System, RefusesASingularMatrix) {
 }
 
 // A sphere heeled or trimmed about its own centre is the same sphere on other panels, cut by calm
-// water wherever they lie: 160 and 360 panels agree to the 2 % that the coarser of them is off. It is
-// also the solver on a hull without symmetry, with triangles and slivers among its panels.
+// water wherever they lie: 160 and 360 panels agree to the 2 % that the coarser of them is off. It
+// is also the solver on a hull without symmetry, with triangles and slivers among its panels.
 TEST(SystemConvergence, HeeledAndTrimmedSphereIsTheSameSphere) {
   const SurfaceMesh upright = closedSphere(1.0, 12, 6);
   const auto solved = [](const SurfaceMesh& closed, bool lid) {

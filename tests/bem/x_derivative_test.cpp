@@ -40,8 +40,9 @@ Eigen::VectorXd integrals(const SurfaceMesh& wet, const PanelMesh& mesh, Parity 
   return projected + XDerivative(wet, mesh).stokes(parity) * value;
 }
 
-// Two neighbours in its plane give a panel the gradient of a linear φ exactly, whatever their shape; a
-// neighbour round the corner of the box does not count. Round-off of a dozen terms of size 10.
+// Two neighbours in its plane give a panel the gradient of a linear φ exactly, whatever their
+// shape; a neighbour round the corner of the box does not count. Round-off of a dozen terms of size
+// 10.
 TEST(XDerivativeClosedForm, LinearPotentialIsExactOnABoxOfAnyPanels) {
   const SurfaceMesh quads = wetBox({8.0, 4.0, 3.0, 0.0}, 6, 3, 4);
   for (const SurfaceMesh& wet : {quads, triangulated(quads)}) {

@@ -15,8 +15,8 @@ PanelMesh meshOf(const ShipParticulars& ship, bool lid) {
   return test::panels(ship.wetSurface, true, lid);
 }
 
-/// LU of even and odd matrices of n unknowns in single precision, as the solver does it: one thread, in
-/// memory that is there already.
+/// LU of even and odd matrices of n unknowns in single precision, as the solver does it: one
+/// thread, in memory that is there already.
 double luSeconds(int n) {
   const OneBlasThread one;
   auto workspace = Factorization<Complex>(Eigen::MatrixXcd::Random(n, n)).release();
@@ -60,8 +60,8 @@ void benchDatabase(std::string& csv, const std::string& name, int panels, int th
   add(csv, row);
 }
 
-/// Seconds per frequency with lid, the set-up shared by 60: of a few frequencies about the middle of
-/// the grid.
+/// Seconds per frequency with lid, the set-up shared by 60: of a few frequencies about the middle
+/// of the grid.
 void benchFrequency(std::string& csv, int panels, int threads, int frequencies) {
   const ShipParticulars ship = frigate(panels);
   SolveSettings settings = sweep(0, threads), none = settings;

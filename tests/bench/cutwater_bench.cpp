@@ -1,10 +1,10 @@
 // cutwater_bench [-o FILE.csv]: times the solver and the time domain, one row each:
 //   name,panels,threads,seconds,floor_seconds,budget_seconds,checksum,ratio_to_floor
-// A database's floor is the LU factorizations it contains, timed here as the solver does them, in single
-// precision, and shared out to the threads; a tick's and a fleet's is Bullet's own step without
-// hydrodynamics. A fleet's seconds are for one
-// second of its life. Budgets are the project's for one core of a 2.6 to 3.5 GHz server (two for the
-// databases). The checksum is the sum of the answers: a speed-up that changes physics shows.
+// A database's floor is the LU factorizations it contains, timed here as the solver does them, in
+// single precision, and shared out to the threads; a tick's and a fleet's is Bullet's own step
+// without hydrodynamics. A fleet's seconds are for one second of its life. Budgets are the
+// project's for one core of a 2.6 to 3.5 GHz server (two for the databases). The checksum is the
+// sum of the answers: a speed-up that changes physics shows.
 #include <cstdio>
 #include <string>
 

@@ -51,7 +51,8 @@ TEST(ForwardSpeedIdentity, TucksFormKeepsTimmanAndNewmansReversedFlow) {
 }
 
 TEST(ForwardSpeedIdentity, TucksFormTakesNoEnergyFromCalmWaterAtAnySpeed) {
-  // Work per period of η̂ is ∝ η̂ᴴ Herm(Z) η̂, Z = B + iωA: Herm(Z(U)) must have no negative eigenvalue.
+  // Work per period of η̂ is ∝ η̂ᴴ Herm(Z) η̂, Z = B + iωA: Herm(Z(U)) must have no negative
+  // eigenvalue.
   Random random;
   const Mat6 A = random.symmetric(), B = random.positive();
   for (const double speed : {0.0, 0.5, 3.0, -8.0}) {

@@ -6,9 +6,9 @@
 #include "hydro/response/FrequencyResponse.h"
 #include "tests/database/FileTest.h"
 
-// hemisphere_0.1.0.h5: a hemisphere of 12 panels a side and 10 frequencies, written by version 0.1.0 (file
-// format 2). What follows from it is what the command of 0.1.0 printed, nine digits. Databases of a released
-// version are read for ever.
+// hemisphere_0.1.0.h5: a hemisphere of 12 panels a side and 10 frequencies, written by version
+// 0.1.0 (file format 2). What follows from it is what the command of 0.1.0 printed, nine digits.
+// Databases of a released version are read for ever.
 namespace cutwater::test {
 namespace {
 

@@ -8,7 +8,8 @@
 
 namespace cutwater::test {
 
-/// The box with adjoint vectors that differ from panel to panel and smoothly over ω, as a hull's do.
+/// The box with adjoint vectors that differ from panel to panel and smoothly over ω, as a hull's
+/// do.
 inline Coefficients tableBox(bool symmetric = true) {
   Coefficients c = boxShip();
   if (!symmetric) {
@@ -23,7 +24,8 @@ inline Coefficients tableBox(bool symmetric = true) {
       const Face& face = wet.faces[static_cast<std::size_t>(i)];
       for (int n = 0; n < face.size(); ++n) x += wet.corner(face, n) / face.size();
       for (int j = 0; j < 6; ++j) {
-        // Of one side's port half modes 2, 4, 6 are odd in y, and so is what is given for the whole.
+        // Of one side's port half modes 2, 4, 6 are odd in y, and so is what is given for the
+        // whole.
         const double side = j % 2 == 1 && x.y() < 0.0 ? -1.0 : 1.0;
         const double shape = 1.0 + 0.1 * j * x.x() + 0.2 * std::abs(x.y()) - 0.3 * x.z();
         b(j, i) = side * factor * kBoxDensity * shape *

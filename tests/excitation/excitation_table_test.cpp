@@ -13,8 +13,8 @@ namespace {
 
 using test::tableBox, test::tableSea;
 
-/// Largest distance from direct evaluation at random courses and speeds of each mode's largest; `overtaken` counts
-/// conditions with ω′ < 0.
+/// Largest distance from direct evaluation at random courses and speeds of each mode's largest;
+/// `overtaken` counts conditions with ω′ < 0.
 double tableError(const Coefficients& c, const SeaState& sea, ForwardSpeedForm form, double fastest,
                   int* overtaken = nullptr) {
   const ExcitationTable table(c, sea, form);
@@ -50,8 +50,9 @@ TEST(ExcitationTableIdentity, IsDirectEvaluationAtAnyCourseAndSpeedOvertakingOrN
   }
 }
 
-// F_I's triangles are cut along other diagonals on the starboard side, which to second order in their size over the
-// wave length is not quite the same: (kd)³ of waves twice as long as a panel's length.
+// F_I's triangles are cut along other diagonals on the starboard side, which to second order in
+// their size over the wave length is not quite the same: (kd)³ of waves twice as long as a panel's
+// length.
 TEST(ExcitationTableIdentity, AWholeHullIsTwiceItsHalf) {
   const SeaState sea = tableSea(6);
   const ExcitationTable half(tableBox(true), sea), whole(tableBox(false), sea);

@@ -191,13 +191,16 @@ std::string colladaText(const SurfaceMesh& mesh) {
     for (int i = 0; i < f.size(); ++i) indices += std::to_string(f[i]) + " ";
   }
   return fmt::format(
-      R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">)"
+      R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" )"
+      R"(version="1.4.1">)"
       R"(<asset><unit name="meter" meter="1"/><up_axis>Z_UP</up_axis></asset><library_geometries>)"
       R"(<geometry id="g"><mesh><source id="p"><float_array id="a" count="{}">{}</float_array>)"
-      R"(<technique_common><accessor source="#a" count="{}" stride="3"><param name="X" type="float"/>)"
-      R"(<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>)"
+      R"(<technique_common><accessor source="#a" count="{}" stride="3">)"
+      R"(<param name="X" type="float"/><param name="Y" type="float"/>)"
+      R"(<param name="Z" type="float"/></accessor></technique_common></source>)"
       R"(<vertices id="v"><input semantic="POSITION" source="#p"/></vertices><polylist count="{}">)"
-      R"(<input semantic="VERTEX" source="#v" offset="0"/><vcount>{}</vcount><p>{}</p></polylist></mesh>)"
+      R"(<input semantic="VERTEX" source="#v" offset="0"/><vcount>{}</vcount><p>{}</p></polylist>)"
+      R"(</mesh>)"
       R"(</geometry></library_geometries><library_visual_scenes><visual_scene id="s"><node id="n">)"
       R"(<instance_geometry url="#g"/></node></visual_scene></library_visual_scenes><scene>)"
       R"(<instance_visual_scene url="#s"/></scene></COLLADA>)",

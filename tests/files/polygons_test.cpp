@@ -40,8 +40,8 @@ SurfaceMesh dividedPolygon(const PlanePolygon& p, std::size_t first = 0) {
   return mesh;
 }
 
-/// Parts that turn as the polygon does and have its area together neither overlap nor leave a gap, and
-/// no part lies outside: open edges are those of the outline.
+/// Parts that turn as the polygon does and have its area together neither overlap nor leave a gap,
+/// and no part lies outside: open edges are those of the outline.
 void expectDivided(const PlanePolygon& p) {
   for (std::size_t first = 0; first < p.size(); ++first) {
     const SurfaceMesh mesh = dividedPolygon(p, first);

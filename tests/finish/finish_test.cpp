@@ -16,8 +16,8 @@
 namespace cutwater {
 namespace {
 
-// What the solver returns cannot be written, read by the time domain or passed off as coefficients, and
-// coefficients cannot be finished again.
+// What the solver returns cannot be written, read by the time domain or passed off as coefficients,
+// and coefficients cannot be finished again.
 using Output = const SolverOutput&;
 static_assert(!std::is_convertible_v<SolverOutput, Coefficients>);
 static_assert(!std::is_constructible_v<Coefficients, SolverOutput>);
@@ -97,7 +97,8 @@ TEST(FinishIdentity, KeepsWhatThePanelsResolve) {
   EXPECT_NE(c.damping[resolved], output.damping[resolved]);
 }
 
-// With 0.2 rad/s, 0.7 √(g/L), the memory of bow and stern's interference is not there. 0.1 would do.
+// With 0.2 rad/s, 0.7 √(g/L), the memory of bow and stern's interference is not there. 0.1 would
+// do.
 TEST(Finish, AGridTooCoarseIsUnfinishedAndSaysWhatWouldDo) {
   const Coefficients c = finish(frigateOutput(30, 0.2));
   EXPECT_EQ(c.status, CoefficientStatus::Unfinished);
@@ -117,7 +118,8 @@ TEST(Finish, ARangeTooShortIsUnfinishedAndSaysWhatWouldDo) {
   EXPECT_EQ(c.unfinishedBecause.find("too coarse"), std::string::npos) << c.unfinishedBecause;
 }
 
-// Steps of 0.4 rad/s to 6 leave 6 frequencies below 2.44 rad/s; the other nine say nothing of the ship.
+// Steps of 0.4 rad/s to 6 leave 6 frequencies below 2.44 rad/s; the other nine say nothing of the
+// ship.
 TEST(Finish, FrequenciesThatThePanelsDoNotResolveMakeNoMemory) {
   const Coefficients c = finish(frigateOutput(15, 0.4));
   EXPECT_EQ(c.status, CoefficientStatus::Unfinished);

@@ -7,8 +7,8 @@
 #include "hydro/finish/GridNeeds.h"
 #include "tests/bem/Frigate.h"
 
-// What a frequency grid must have, measured: the frigate of 224 panels a side (L 124.5 m, B 14.8 m; resolved
-// up to 2.44 rad/s) solved every 0.05 rad/s, of which coarser and shorter grids are taken.
+// What a frequency grid must have, measured: the frigate of 224 panels a side (L 124.5 m, B 14.8 m;
+// resolved up to 2.44 rad/s) solved every 0.05 rad/s, of which coarser and shorter grids are taken.
 namespace cutwater {
 namespace {
 
@@ -70,8 +70,9 @@ double errorOfSquared(const SolverOutput& output) {
   return error / size;
 }
 
-// Bounds are the measured values rounded up: 0.08, 0.4, 1.4, 6.3 %. In surge the interference of bow and
-// stern, cos(2ω²L/g), has 2.6 points to a period of 0.26 rad/s at 1 rad/s with steps of 0.1, 1.3 with 0.2.
+// Bounds are the measured values rounded up: 0.08, 0.4, 1.4, 6.3 %. In surge the interference of
+// bow and stern, cos(2ω²L/g), has 2.6 points to a period of 0.26 rad/s at 1 rad/s with steps of
+// 0.1, 1.3 with 0.2.
 TEST(GridNeedsConvergence, AddedMassAtInfinityScattersByTheStep) {
   EXPECT_LT(scatterOf(part(1)), 0.001);
   EXPECT_LT(scatterOf(part(2)), 0.005);

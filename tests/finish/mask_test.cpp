@@ -10,8 +10,8 @@
 namespace cutwater {
 namespace {
 
-// Smooth coefficients over which a resonance of width 0.02 at ω = 2 can be laid, as an irregular frequency
-// does; its condition number rises with it.
+// Smooth coefficients over which a resonance of width 0.02 at ω = 2 can be laid, as an irregular
+// frequency does; its condition number rises with it.
 double smooth(double w) { return w * w * std::exp(-w); }
 double resonance(double w) { return 0.0004 / ((w - 2.0) * (w - 2.0) + 0.0004); }
 
@@ -112,7 +112,8 @@ TEST(Mask, MaskAtTheEndsUsesTheLimits) {
   const Coefficients masked = maskOf(c);
   EXPECT_EQ(masked.masked.front(), 1);
   EXPECT_EQ(masked.masked.back(), 1);
-  // Through B(0) = 0: exact to the cubic's error 0.1⁴ f''''/24·… < 1e-4. Above: (2.95/3)³ of the last.
+  // Through B(0) = 0: exact to the cubic's error 0.1⁴ f''''/24·… < 1e-4. Above: (2.95/3)³ of the
+  // last.
   EXPECT_NEAR(masked.damping.values.front()(0, 0), c.damping.values.front()(0, 0), 1e-4);
   EXPECT_NEAR(masked.damping.values.back()(0, 0), std::pow(2.95 / 3.0, 3) * smooth(2.95), 1e-12);
   EXPECT_EQ(masked.adjoint.values.back(),

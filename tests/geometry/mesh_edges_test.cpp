@@ -32,8 +32,8 @@ TEST(MeshEdges, AnEdgeIsNamedByItsLowerVertexThenItsHigherOne) {
   EXPECT_EQ(uses[2].edge, 0x1'0000'0002u);
 }
 
-// Open edges are those without a partner that runs the other way; loose ones those of an odd number of
-// faces, however they run.
+// Open edges are those without a partner that runs the other way; loose ones those of an odd number
+// of faces, however they run.
 TEST(MeshEdges, ATurnedFaceHasOpenEdgesButNoLooseOnes) {
   SurfaceMesh hull = closedBox({10, 4, 2, 1}, 2, 1, 1);
   std::swap(hull.faces[0].v[0], hull.faces[0].v[2]);

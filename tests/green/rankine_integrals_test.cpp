@@ -85,8 +85,8 @@ TEST(RankineIntegralsClosedForm, PotentialOfASquareOnItself) {
   EXPECT_TRUE(corner.gradient.allFinite());
 }
 
-// Right triangle with legs a, b: at the right angle, ∫∫ 1/r dS = ∫ R(φ) dφ
-// = (ab/c) [asinh(a/b) + asinh(b/a)], c the hypotenuse.
+// Right triangle with legs a, b: at the right angle, ∫∫ 1/r dS = ∫ R(φ) dφ = (ab/c) [asinh(a/b) +
+// asinh(b/a)], c the hypotenuse.
 TEST(RankineIntegralsClosedForm, PotentialOfARightTriangleAtItsCorner) {
   const double a = 1.7, b = 0.6, c = std::hypot(a, b);
   const double expected = a * b / c * (std::asinh(a / b) + std::asinh(b / a));

@@ -92,8 +92,8 @@ TEST(PanelQuadratureClosedForm, WeightsSumToTheAreaAndMomentsToTheCentroid) {
   }
 }
 
-// On a parallelogram and a triangle, whose maps are linear: all powers up to the degree as 6 × 6 points have
-// them, to round-off. A triangle of three quadrilaterals is not among them.
+// On a parallelogram and a triangle, whose maps are linear: all powers up to the degree as 6 × 6
+// points have them, to round-off. A triangle of three quadrilaterals is not among them.
 TEST(PanelQuadratureClosedForm, FewPointsAreExactToTheirDegree) {
   const Vec3 a(0.3, 0.2, -0.5), b(2.1, 0.5, -0.7), c(1.8, 1.4, -1.6);
   for (const Panel& panel : {flatPanel({a, b, c}), flatPanel({a, b, c, a + c - b})})

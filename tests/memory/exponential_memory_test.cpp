@@ -67,8 +67,8 @@ TEST(ExponentialMemoryIdentity, IsTheConvolutionOfItsOwnFunctionsAtEveryTick) {
   }
 }
 
-// error() is the largest error of a part over the largest of B(U) or ωA(U) in its band; these kernels have four
-// poles each, in one place, which distinct ones approach.
+// error() is the largest error of a part over the largest of B(U) or ωA(U) in its band; these
+// kernels have four poles each, in one place, which distinct ones approach.
 TEST(ExponentialSumClosedForm, HasTheTransformsItWasMadeFrom) {
   for (const auto form : kBothForms) {
     const RadiationModel& model = causalModel(form);
@@ -102,8 +102,8 @@ TEST(ExponentialSumIdentity, IntegralsOverAllTimeAreKeptExactly) {
   }
 }
 
-// B of the causal ship is positive definite, so its memory takes energy at every ω; what the fit may add
-// is its error of B in its band.
+// B of the causal ship is positive definite, so its memory takes energy at every ω; what the fit
+// may add is its error of B in its band.
 TEST(ExponentialSumIdentity, MemoryAtRestTakesEnergyAtEveryFrequency) {
   const ExponentialSum& sum = *causalModel(ForwardSpeedForm::Report).sum();
   double largest = 0.0, least = 0.0;

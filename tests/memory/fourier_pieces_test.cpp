@@ -19,8 +19,8 @@ double legendreP(int n, double s) {
   return p;
 }
 
-/// ∫ over [−1, 1] by 40 Gauss points: exact for what is a polynomial of degree 79; of e^{iθs}, θ ≤ 30,
-/// error below 1e-20.
+/// ∫ over [−1, 1] by 40 Gauss points: exact for what is a polynomial of degree 79; of e^{iθs},
+/// θ ≤ 30, error below 1e-20.
 template <class Function>
 double gauss(Function f) {
   static const fourier::GaussRule<40> rule;
@@ -29,8 +29,8 @@ double gauss(Function f) {
   return sum;
 }
 
-// ∫ P_n(s) e^{iθs} ds = 2 iⁿ j_n(θ). Bound: the header's 1e-14, through θ = 1 and 8 where the way of
-// computing changes.
+// ∫ P_n(s) e^{iθs} ds = 2 iⁿ j_n(θ). Bound: the header's 1e-14, through θ = 1 and 8 where the way
+// of computing changes.
 TEST(FourierPiecesIdentity, SphericalBesselFunctionsAreTransformsOfLegendrePolynomials) {
   for (double theta : {0.0, 1e-6, 0.3, 0.999, 1.001, 3.0, 7.999, 8.001, 15.0, 30.0}) {
     const auto j = fourier::sphericalBessel8(theta);
@@ -73,9 +73,9 @@ double remainingError(double step) {
   return error;
 }
 
-// B = ω² e^{−ω}: I = (4/π)τ/(1 + τ²)², so E = ∫_τ^∞ I = (2/π)/(1 + τ²). The spline through B/ω, not-a-knot at
-// ω = 0, is there in error by h⁴/46 of its fourth derivative, 4: with h = 0.05 by 5.4e-7 over the first two
-// cells, of which ∫ dω/ω makes three times that, (2/π) · 1.6e-6.
+// B = ω² e^{−ω}: I = (4/π)τ/(1 + τ²)², so E = ∫_τ^∞ I = (2/π)/(1 + τ²). The spline through B/ω,
+// not-a-knot at ω = 0, is there in error by h⁴/46 of its fourth derivative, 4: with h = 0.05 by
+// 5.4e-7 over the first two cells, of which ∫ dω/ω makes three times that, (2/π) · 1.6e-6.
 TEST(RetardationFunctionClosedForm, WhatRemainsOfTheRunningIntegral) {
   EXPECT_LT(remainingError(0.05), 1.0e-6);
 }

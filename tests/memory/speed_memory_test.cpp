@@ -21,8 +21,8 @@ CMat6 ofMemory(const RetardationMatrix& K, const Mat6& addedMassInf, const CMat6
          U * U * K.speedStiffness().cast<Complex>() / iw;
 }
 
-/// Largest distance from −ω²A(U) + iωB(U) in closed form, of the largest of it, both over ω; ω from 0.05 to
-/// 5 rad/s, anywhere between the frequencies.
+/// Largest distance from −ω²A(U) + iωB(U) in closed form, of the largest of it, both over ω; ω from
+/// 0.05 to 5 rad/s, anywhere between the frequencies.
 double impedanceError(double step, ForwardSpeedForm form) {
   const CausalShip ship;
   const Coefficients c = ship.coefficients(step, 48.0);
@@ -42,9 +42,10 @@ double impedanceError(double step, ForwardSpeedForm form) {
   return error / size;
 }
 
-// The set (30), (33)-(45) is exact; what is left is the cubic spline's, of fourth order in Δω. Its error at the end
-// ω = 0 is Δω⁴/46 of the fourth derivative of B/ω, some 10 of the largest B/ω over the square of 1.5 rad/s
-// twice, and K^UU has it over ω²: less than (0.1/1.5)⁴ · 10/46 · (1.5/0.1)².
+// The set (30), (33)-(45) is exact; what is left is the cubic spline's, of fourth order in Δω. Its
+// error at the end ω = 0 is Δω⁴/46 of the fourth derivative of B/ω, some 10 of the largest B/ω over
+// the square of 1.5 rad/s twice, and K^UU has it over ω²: less than (0.1/1.5)⁴ · 10/46 ·
+// (1.5/0.1)².
 TEST(SpeedMemoryConvergence, MemoryAndSpeedTermsGiveBackAddedMassAndDampingUnderWay) {
   for (const auto form : kForms) {
     const double coarse = impedanceError(0.2, form), fine = impedanceError(0.1, form);
@@ -82,7 +83,8 @@ TEST(SpeedMemoryClosedForm, KernelsUnderWay) {
   }
 }
 
-// The mean of a cell is its middle's value and h²/24 of the second derivative, of order 1 per s² here, h = 0.05.
+// The mean of a cell is its middle's value and h²/24 of the second derivative, of order 1 per s²
+// here, h = 0.05.
 TEST(SpeedMemoryIdentity, IntegralsOverACellAreThoseOfTheKernels) {
   const CausalShip ship;
   const Coefficients c = ship.coefficients(0.1, 48.0);
@@ -163,8 +165,8 @@ TEST(SpeedMemoryIdentity, TheReportsFormWithTucksDerivativesIsTucks) {
   const RetardationMatrix report(c, ForwardSpeedForm::Report), tuck(c, ForwardSpeedForm::Tuck);
   for (double tau : {0.0, 0.7, 3.0})
     EXPECT_LT(distance(report.kernels(tau), tuck.kernels(tau)), 1e-13);  // round-off
-  // Of b and c Tuck's uses A^∞ itself, the report's what A and B give back: the spline's error, h = 0.2,
-  // sixteen times that above.
+  // Of b and c Tuck's uses A^∞ itself, the report's what A and B give back: the spline's error,
+  // h = 0.2, sixteen times that above.
   EXPECT_LT((report.speedDamping() - tuck.speedDamping()).cwiseAbs().maxCoeff(), 16 * 3e-5);
   EXPECT_LT((report.speedStiffness() - tuck.speedStiffness()).cwiseAbs().maxCoeff(), 16 * 3e-5);
 }

@@ -6,8 +6,9 @@
 namespace cutwater::test {
 namespace {
 
-// A body pulled and spun on every axis, held in surge, heave and yaw: these have the velocity asked for
-// after the tick, whatever the pull; the others move as if free. Round-off of one solver row each.
+// A body pulled and spun on every axis, held in surge, heave and yaw: these have the velocity asked
+// for after the tick, whatever the pull; the others move as if free. Round-off of one solver row
+// each.
 TEST(CourseRestraintIdentity, HeldModesHaveTheVelocityAskedForAndTheOthersAreFree) {
   TestWorld world;
   btSphereShape shape(1);

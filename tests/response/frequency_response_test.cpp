@@ -14,8 +14,9 @@ TEST(FrequencyResponseClosedForm, LongWavesCarryTheShipLikeARaft) {
   // ω → 0: heave 1, pitch = wave slope: head wave ζ = cos(ωt + kx), bow-down pitch −∂ζ/∂x = k sin:
   // phase −90°... with η5 = −∂ζ/∂x = k sin(ωt) = Re{−ik e^{iωt}}. Restoring and wave pressure
   // balance to order kL.
-  // The made-up diffraction has no moment arm and does not vanish beside pitch's: left out. G amidships:
-  // the 1e-3 by which heave's inertia lifts her is 6 % of this slope at half a metre of lever.
+  // The made-up diffraction has no moment arm and does not vanish beside pitch's: left out. G is
+  // amidships: the 1e-3 by which heave's inertia lifts the ship is 6 % of this slope at half a
+  // metre of lever.
   Coefficients ship = boxShip(Vec3(0.0, 0.0, 0.3));
   for (auto& vectors : ship.adjoint) vectors.setZero();
   const double k = 2e-4, omega = std::sqrt(k * kBoxGravity);

@@ -12,7 +12,8 @@ constexpr double kL = 20.0, kB = 6.0, kT = 2.0;
 
 PanelledHull boxHull() { return {{}, wetBox({kL, kB, kT, 1.0}, 8, 4, 2), true}; }
 
-// C of a box with G at (x_G, 0, z_G): BM = B²/12T and L²/12T. Flat panels have no error but round-off.
+// C of a box with G at (x_G, 0, z_G): BM = B²/12T and L²/12T. Flat panels have no error but
+// round-off.
 TEST(AfloatClosedForm, ABoxHasTheHydrostaticsOfItsFormula) {
   const double xG = 0.5, zG = 0.7, rho = 1000.0, g = 9.81, V = kL * kB * kT;
   const Afloat made = afloat(boxHull(), {.cog = {xG, 0.0, zG}}, {rho, g});

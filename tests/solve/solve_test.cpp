@@ -39,8 +39,8 @@ TEST(SolveIdentity, IsSolverAndFinishInOne) {
   EXPECT_EQ(made.provenance.settings, parts.provenance.settings);
 }
 
-// One frequency is solved, and at that frequency gives the motions and forces that a whole grid does:
-// the same numbers, as nothing is interpolated there.
+// One frequency is solved, and at that frequency gives the motions and forces that a whole grid
+// does: the same numbers, as nothing is interpolated there.
 TEST(SolveIdentity, ASingleFrequencyWorksInTheFrequencyDomain) {
   SolveSettings one = upTo(1);
   one.omega = {0.9};

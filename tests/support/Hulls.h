@@ -15,16 +15,16 @@ struct TestHull {
   std::function<SurfaceMesh(int panels)> structured;  ///< port half; 224, 433 or 1040 panels
 };
 
-/// Frigate, hemisphere, barge, a catamaran of two chined hulls with transoms, S-175: seconds to build, as
-/// each test is a process of its own. One that needs one hull asks for that.
+/// Frigate, hemisphere, barge, a catamaran of two chined hulls with transoms, S-175: seconds to
+/// build, as each test is a process of its own. One that needs one hull asks for that.
 std::vector<TestHull> testHulls();
 TestHull testFrigate();
 TestHull testBarge();
 TestHull testCatamaran();
 TestHull testS175();
 
-/// Demi-hull on its own centre plane, 60 × 6 × 3 m, vertical sides down to a chine, V bottom, transom,
-/// sharp stem; closed by a deck 2 m up, or open at calm water.
+/// Demi-hull on its own centre plane, 60 × 6 × 3 m, vertical sides down to a chine, V bottom,
+/// transom, sharp stem; closed by a deck 2 m up, or open at calm water.
 SurfaceMesh chinedHull(int along, int sideRows, int bottomRows, bool closed);
 
 SurfaceMesh moved(SurfaceMesh mesh, const Vec3& by);

@@ -8,7 +8,8 @@
 #include "tests/support/Results.h"
 
 // Two ways round the resonances of the water inside the hull: a lid that has none, and a mask over
-// the condition numbers that leaves them out ([M03] 5.7). Off the resonances both are the hull alone.
+// the condition numbers that leaves them out ([M03] 5.7). Off the resonances both are the hull
+// alone.
 namespace cutwater::test {
 namespace {
 
@@ -58,8 +59,8 @@ double apart(const Coefficients& a, const Coefficients& b, Where where) {
 }
 
 /// How far a point lies off the cubic through its four neighbours, of the maximum: the curve's own
-/// fourth difference where it is smooth, the height of a spike where it is not. Where five frequencies
-/// are not at one step they are left out.
+/// fourth difference where it is smooth, the height of a spike where it is not. Where five
+/// frequencies are not at one step they are left out.
 double roughness(const Coefficients& c) {
   Vec6 peak = Vec6::Zero();
   for (const Mat6& A : c.addedMass) peak = peak.cwiseMax(A.diagonal().cwiseAbs());
@@ -106,9 +107,10 @@ void recordLid(const std::string& name, double off, double everywhere, double li
                std::to_string(100.0 * open) + " without", 100.0 * lid, "smooth");
 }
 
-// Off the resonances lid and no lid differ by the discretisation error of both and by the foot of the
-// next resonance, 5 % of the maximum in the barge 0.15 rad/s below one; a resonance is worth twice to ten
-// times that. The mask leaves the lid's curve within the error of interpolating across it.
+// Off the resonances lid and no lid differ by the discretisation error of both and by the foot of
+// the next resonance, 5 % of the maximum in the barge 0.15 rad/s below one; a resonance is worth
+// twice to ten times that. The mask leaves the lid's curve within the error of interpolating across
+// it.
 TEST(IrregularFrequenciesVerification, LidAndMaskAgreeOffTheResonances) {
   for (const Hull& hull : hulls()) {
     SCOPED_TRACE(hull.name);
@@ -157,10 +159,10 @@ Hull frigateInShortWaves(bool fine) {
           {{4.0, 2000.0}, {6.0, 3140.0}}};
 }
 
-// In short waves a resonance is narrow and the next one near. Off the mask lid and no lid differ by 2 to
-// 3 % of the maximum, the foot of the next; without lid the curves jitter by 0.2 to 0.5 % from one frequency
-// to the next, with lid they are smooth to 0.003 %, the fourth difference of a curve over 0.02 rad/s. What
-// the mask interpolates is not compared: too few frequencies here.
+// In short waves a resonance is narrow and the next one near. Off the mask lid and no lid differ by
+// 2 to 3 % of the maximum, the foot of the next; without lid the curves jitter by 0.2 to 0.5 % from
+// one frequency to the next, with lid they are smooth to 0.003 %, the fourth difference of a curve
+// over 0.02 rad/s. What the mask interpolates is not compared: too few frequencies here.
 TEST(IrregularFrequenciesVerification, LidIsSmoothInShortWavesAndMeetsTheMaskedCurves) {
   for (const bool fine : {false, true}) {
     if (fine && !fullSize()) break;  // a quarter of an hour of processor time

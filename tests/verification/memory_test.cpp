@@ -76,10 +76,11 @@ void record(const std::string& mesh, const Distance& d, const RetardationMatrix&
     }
 }
 
-// 224 panels a side, lid panels of 1.5 m so that the lid resolves waves up to 3.7 rad/s. Bound: pressure
-// at ω = ∞ goes as z ln z at the waterline, where a panel has one value of it. By Galerkin A22(∞) is
-// 1.4 % of itself too high for each metre of depth of the uppermost panels (48 panels along, 9, 18 and
-// 36 around), A22 at finite ω about half of that; 0.55 m here and the lengthwise division leave 1.5 %.
+// 224 panels a side, lid panels of 1.5 m so that the lid resolves waves up to 3.7 rad/s. Bound:
+// pressure at ω = ∞ goes as z ln z at the waterline, where a panel has one value of it. By Galerkin
+// A22(∞) is 1.4 % of itself too high for each metre of depth of the uppermost panels (48 panels
+// along, 9, 18 and 36 around), A22 at finite ω about half of that; 0.55 m here and the lengthwise
+// division leave 1.5 %.
 TEST(MemoryVerification, CoarseFrigateGivesItsAddedMassAtInfinity) {
   std::vector<double> omega = tenths(20);
   for (int i = 0; i < 8; ++i) omega.push_back(2.25 + 0.25 * i);
@@ -103,8 +104,9 @@ std::vector<double> fineGrid() {
   return omega;
 }
 
-// 0.5 % is the acceptance line, which 1040 panels keep in every pair. The uppermost row of 433 panels is
-// half as deep again; they show the same distance larger, which is recorded without a bound.
+// 0.5 % is the acceptance line, which 1040 panels keep in every pair. The uppermost row of 433
+// panels is half as deep again; they show the same distance larger, which is recorded without a
+// bound.
 TEST(MemoryVerification, FrigateGivesItsAddedMassAtInfinity) {
   if (!fullSize()) GTEST_SKIP() << "full size only";
   double before = 1.0;

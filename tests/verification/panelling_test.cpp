@@ -27,8 +27,8 @@ SolverOutput solved(const SurfaceMesh& wetPort, const std::vector<double>& omega
   return buildCoefficients(ship, settings);
 }
 
-/// Greatest difference over the frequencies, of the structured panels' greatest value; the frequencies in
-/// [from, to] are left out.
+/// Greatest difference over the frequencies, of the structured panels' greatest value; the
+/// frequencies in [from, to] are left out.
 double difference(const SolverOutput& laid, const SolverOutput& structured, char what, int mode,
                   double from, double to) {
   double most = 0.0, off = 0.0;
@@ -43,10 +43,11 @@ double difference(const SolverOutput& laid, const SolverOutput& structured, char
 }
 
 // Between the catamaran's hulls the water sways in resonance at 1.6 rad/s: A22 falls from 7.2e6 to
-// -3.8e6 kg within 0.1 rad/s, and a resonance off by 0.2 % in frequency is off by 2 % there (structured
-// panels, 433 and 1040, differ by 8 %). On its flank at 1.4 rad/s 224 structured panels are 2.9 % off
-// 1040 of them, laid ones 0.9 %. So A22 and B22 are held to the line outside 1.35 to 1.7 rad/s; inside, structured
-// panels are no reference for as many laid ones, and the test below takes three times as many.
+// -3.8e6 kg within 0.1 rad/s, and a resonance off by 0.2 % in frequency is off by 2 % there
+// (structured panels, 433 and 1040, differ by 8 %). On its flank at 1.4 rad/s 224 structured panels
+// are 2.9 % off 1040 of them, laid ones 0.9 %. So A22 and B22 are held to the line outside 1.35 to
+// 1.7 rad/s; inside, structured panels are no reference for as many laid ones, and the test below
+// takes three times as many.
 constexpr double kGapFrom = 1.35, kGapTo = 1.7;
 
 void compare(const TestHull& hull, int count, const std::vector<double>& omega) {
@@ -102,8 +103,8 @@ void expectNearer(int count, const SurfaceMesh& fine, const std::vector<double>&
   }
 }
 
-// On the resonance's flank and, full size, at its summit, its foot and between: laid panels are nearer to fine
-// structured ones than as many structured panels are.
+// On the resonance's flank and, full size, at its summit, its foot and between: laid panels are
+// nearer to fine structured ones than as many structured panels are.
 TEST(PanellingVerification, BetweenACatamaransHullsLaidPanelsAreNearerToFineOnes) {
   expectNearer(224, testCatamaran().structured(1040), {1.4});
   if (fullSize())

@@ -16,8 +16,8 @@
 #include "tests/forces/WaveLoads.h"
 #include "tests/support/Results.h"
 
-// What the time domain does at one frequency is what the database says of it, at every speed; and the
-// sum of exponentials is the convolution.
+// What the time domain does at one frequency is what the database says of it, at every speed; and
+// the sum of exponentials is the convolution.
 namespace cutwater::test {
 namespace {
 
@@ -72,7 +72,8 @@ CMat6 impedanceOf(const RadiationModel& model, const Mat6& addedMassInf, const C
          U * U * K.speedStiffness().cast<Complex>() / iw;
 }
 
-/// Σ K̄_i e^{−iω(i + ½)h} · sin(ωh/2)/(ωh/2): what a tick's mean velocity of e^{iωt} and the weights make of it.
+/// Σ K̄_i e^{−iω(i + ½)h} · sin(ωh/2)/(ωh/2): what a tick's mean velocity of e^{iωt} and the weights
+/// make of it.
 CMat6 transformOf(const ConvolutionWeights& w, double omega, double U) {
   CMat6 sum = CMat6::Zero();
   const double half = 0.5 * omega * w.step();
@@ -126,8 +127,9 @@ void expectIdentity(const Coefficients& c, ForwardSpeedForm form, int panels) {
   }
 }
 
-// The acceptance line: 1 % of each entry's largest value in each band, of both meshes of the report. Where
-// B_jk − U∂A_jk nearly vanishes (B_31 at 10 and at 30 kn), that is also a test of ∂A against ∂B.
+// The acceptance line: 1 % of each entry's largest value in each band, of both meshes of the
+// report. Where B_jk − U∂A_jk nearly vanishes (B_31 at 10 and at 30 kn), that is also a test of ∂A
+// against ∂B.
 TEST(TimeDomainIdentity, MemoryGivesBackAddedMassAndDampingAtEverySpeed) {
   for (const int panels : {433, 1040}) {
     if (panels > 500 && !fullSize()) continue;
@@ -137,8 +139,8 @@ TEST(TimeDomainIdentity, MemoryGivesBackAddedMassAndDampingAtEverySpeed) {
   }
 }
 
-// What the time domain takes from a finished database is what the database holds; finishing twice is not
-// expressible (tests/finish/finish_test.cpp).
+// What the time domain takes from a finished database is what the database holds; finishing twice
+// is not expressible (tests/finish/finish_test.cpp).
 TEST(TimeDomainIdentity, AFinishedDatabaseIsItsOwnContinuation) {
   const Coefficients c = finish(solvedFrigate(224));
   ASSERT_EQ(c.status, CoefficientStatus::Finished);
@@ -154,7 +156,8 @@ TEST(TimeDomainIdentity, AFinishedDatabaseIsItsOwnContinuation) {
   EXPECT_LT(moved, 1e-12 * most);  // the same sums
 }
 
-/// r.m.s. over 0.5 to 1 of the last resolved frequency of what ∂A misses, of the r.m.s. of `fine`'s own.
+/// r.m.s. over 0.5 to 1 of the last resolved frequency of what ∂A misses, of the r.m.s. of `fine`'s
+/// own.
 struct DampingXEvidence {
   Mat6 solved = Mat6::Zero(), fromDampingX = solved;
 };
@@ -180,9 +183,9 @@ DampingXEvidence compare(const SolverOutput& coarse, int manyPanels) {
           miss.fromDampingX.cwiseQuotient(size).cwiseSqrt()};
 }
 
-// Why the database's ∂A is taken from ∂B in the upper part of its band: there the solver's own is further
-// from that of more than four times as many panels, in every entry that heave and pitch have with one another
-// and with surge, where the solver misses the most.
+// Why the database's ∂A is taken from ∂B in the upper part of its band: there the solver's own is
+// further from that of more than four times as many panels, in every entry that heave and pitch
+// have with one another and with surge, where the solver misses the most.
 TEST(TimeDomainVerification, AddedMassXFromDampingXIsNearerToFinePanels) {
   for (const auto& [few, many] : {std::pair{224, 1040}, {433, 2000}}) {
     if (many > 1500 && !fullSize()) continue;
@@ -201,8 +204,8 @@ TEST(TimeDomainVerification, AddedMassXFromDampingXIsNearerToFinePanels) {
   }
 }
 
-/// Velocities of a ship that rides an irregular sea: 60 waves of 0.3 to 1.8 rad/s as she meets them, of energy
-/// as ω⁻⁵ behind a peak at 0.6; rotations as the waves' slope.
+/// Velocities of a ship that rides an irregular sea: 60 waves of 0.3 to 1.8 rad/s as the ship
+/// meets them, of energy as ω⁻⁵ behind a peak at 0.6; rotations as the waves' slope.
 class RidingShip {
  public:
   explicit RidingShip(double U) {
@@ -276,7 +279,8 @@ TEST(TimeDomainIdentity, SumOfExponentialsIsTheConvolutionInAnIrregularSea) {
   }
 }
 
-/// Least eigenvalue of the Hermitian part of K̂⁰, modes scaled by √ of the largest B_jj, over ω to far beyond the data.
+/// Least eigenvalue of the Hermitian part of K̂⁰, modes scaled by √ of the largest B_jj, over ω to
+/// far beyond the data.
 double leastDamping(const ExponentialSum& sum, const Coefficients& c) {
   Vec6 scale = Vec6::Zero();
   for (const Mat6& B : c.damping) scale = scale.cwiseMax(B.diagonal());
@@ -290,8 +294,9 @@ double leastDamping(const ExponentialSum& sum, const Coefficients& c) {
   return least;
 }
 
-// Whether a ship at rest can gain energy from the fit: by no more than this part of the damping of her modes at their
-// peaks. 1e-3: the fit's error in its bands is 1 to 2e-3 of B, near the peaks; and B itself, which has no less.
+// Whether a ship at rest can gain energy from the fit: by no more than this part of the damping of
+// its modes at their peaks. 1e-3: the fit's error in its bands is 1 to 2e-3 of B, near the peaks;
+// and B itself, which has no less.
 TEST(TimeDomainIdentity, MemoryAtRestTakesEnergyAtEveryFrequency) {
   const Coefficients c = finish(solvedFrigate(224));
   const RadiationModel model(c);
@@ -341,10 +346,11 @@ TEST(TimeDomainIdentity, TableOfWaveForcesIsDirectEvaluation) {
   }
 }
 
-// 1°/s at 60 ticks a second, 200 waves, each renewed every 1.7 s: amplitudes are those of a heading 0.8° ago in the
-// mean, of 1.7° ago at most, in which the shortest waves turn by half a radian at her ends. That is the cost of
-// renewing two a tick; how much force it is, is stated here for all six modes, in a sea of 4 m with all waves up to 2.5
-// rad/s: a jump of 3.1 % of the mode's largest force, as much as a wave of 2 rad/s changes in a tick, a lag of 15 %.
+// 1°/s at 60 ticks a second, 200 waves, each renewed every 1.7 s: amplitudes are those of a heading
+// 0.8° ago in the mean, of 1.7° ago at most, in which the shortest waves turn by half a radian at
+// its ends. That is the cost of renewing two a tick; how much force it is, is stated here for all
+// six modes, in a sea of 4 m with all waves up to 2.5 rad/s: a jump of 3.1 % of the mode's largest
+// force, as much as a wave of 2 rad/s changes in a tick, a lag of 15 %.
 TEST(TimeDomainIdentity, AmplitudesFollowATurningShip) {
   const Coefficients c = finish(solvedFrigate(224));
   const SeaState sea =

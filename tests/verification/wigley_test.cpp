@@ -22,7 +22,7 @@ using Values = std::map<std::string, double>;
 
 std::string at(double froude) { return "Fn " + std::to_string(froude).substr(0, 3); }
 
-/// Below it the water inside the hull has no standing wave: inside the box around her (L 3, B 0.3,
+/// Below it the water inside the hull has no standing wave: inside the box around it (L 3, B 0.3,
 /// d 0.1875 m), which holds the hull, the lowest has K = κ coth κd, κ = π√(1/L² + 1/B²). As
 /// ω√(L/g), 5.73. A code without lid is not to be trusted above.
 double firstInnerResonance() {
@@ -284,8 +284,8 @@ void record(const Measured& point, double report, double tuck) {
 // The evidence between the forms is which is nearer. Heave: Tuck's at every measured point at
 // speed. Pitch damping at Fn 0.3: the report's, Tuck's is 44 % too high; at Fn 0.2 they lie 8 %
 // below and 9 % above. Bounds: wave loads within 10 % in both forms, twice the scatter of Journée's
-// measured coefficients; at rest, where the two are one, heave within 0.05 in waves as long as she:
-// measured amplitudes are printed to 0.01 and scatter by several of it (0.04 between 0.22 and
+// measured coefficients; at rest, where the two are one, heave within 0.05 in waves as long as the
+// hull: measured amplitudes are printed to 0.01 and scatter by several of it (0.04 between 0.22 and
 // 0.19).
 TEST(WigleyVerification, ExperimentsFavourTucksFormInHeaveAndTheReportsInPitchDamping) {
   std::vector<Measured> points;

@@ -76,7 +76,8 @@ TEST(SeaStateIdentity, ElevationIsTheSumOfItsWaves) {
   EXPECT_EQ(SeaState().velocity(1.0, Vec3(1.0, 2.0, -3.0)), Vec3::Zero().eval());
 }
 
-// Central differences with h = 1e-4: error (k h)²/6 or (ω h)²/6 of values of order 1, round-off 1e-16/h.
+// Central differences with h = 1e-4: error (k h)²/6 or (ω h)²/6 of values of order 1, round-off
+// 1e-16/h.
 TEST(SeaStateIdentity, WaterAtTheSurfaceRisesWithIt) {
   const SeaState sea = anySea();
   const double h = 1e-4;

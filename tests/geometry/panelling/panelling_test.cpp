@@ -52,7 +52,8 @@ const std::vector<test::TestHull>& hulls() {
   return all;
 }
 
-// The acceptance lines: 0.5 % of V and S at 1040 panels, 95 % of the panels within 3, at every count.
+// The acceptance lines: 0.5 % of V and S at 1040 panels, 95 % of the panels within 3, at every
+// count.
 TEST(PanellingVerification, PanelsHaveTheVolumeAndAreaOfTheHull) {
   for (const test::TestHull& t : hulls()) {
     const SurfaceMesh wet = wetSurface(t.hull);
@@ -164,7 +165,8 @@ TEST(PanellingIdentity, CornersLieOnTheHull) {
       farthest = std::max(farthest, distance);
       off += distance > 1e-9 ? 1 : 0;
     }
-    // Only at a stem narrower than a tenth of a panel edge (3 m at most) do corners leave the surface.
+    // Only at a stem narrower than a tenth of a panel edge (3 m at most) do corners leave the
+    // surface.
     EXPECT_LT(farthest, 0.15) << t.name;
     EXPECT_LE(off, panels.vertices.size() / 50) << t.name;
   }

@@ -12,8 +12,8 @@ namespace {
 constexpr double kCrack = 1e-3;  // tolerance [m]
 constexpr std::size_t kNoneLoose = 1'000'000;
 
-/// A rectangle of 4 × 2 m: one triangle on its lower side, and on its upper side a fan whose rim has
-/// this many corners on the diagonal, moved off it by `off`.
+/// A rectangle of 4 × 2 m: one triangle on its lower side, and on its upper side a fan whose rim
+/// has this many corners on the diagonal, moved off it by `off`.
 SurfaceMesh crackedRectangle(int between, double off) {
   SurfaceMesh mesh{{{0, 0, -1}, {4, 0, -1}, {4, 2, -1}, {0, 2, -1}}, {{{0, 1, 2, -1}}}};
   int last = 2;

@@ -24,7 +24,8 @@ bool said(const RepairedHull& repaired, const std::string& words) {
 }
 
 /// Repairs, and wants the sound hull again: its volume to 0.05 % (a filled hole of 1.6 m lies some
-/// centimetres inside, a slit of 0.1 m at the keel adds half a cubic metre to 4500), both sides, panels.
+/// centimetres inside, a slit of 0.1 m at the keel adds half a cubic metre to 4500), both sides,
+/// panels.
 RepairedHull expectSound(const SurfaceMesh& spoilt) {
   RepairedHull repaired = repairedHull(spoilt, "spoilt.obj", Symmetry::Auto);
   const double sound = wetVolume(makeHull(closedFrigate(100, 20), "sound", Symmetry::Auto));
@@ -155,7 +156,8 @@ TEST(MeshRepair, AWideHoleIsRefusedWithItsPlace) {
   EXPECT_NE(what.find("at ("), std::string::npos) << what;
 }
 
-// A bulb pushed through the bow: an ellipsoid whose volume outside the hull is known from its parts.
+// A bulb pushed through the bow: an ellipsoid whose volume outside the hull is known from its
+// parts.
 TEST(MeshRepair, ShellsThatPassThroughOneAnotherAreJoined) {
   SurfaceMesh bulb = closedSphere(1.3, 40, 20);
   for (Vec3& p : bulb.vertices) p = {61.0 + 4.0 * p.x(), p.y(), p.z() - 2.8};
@@ -165,8 +167,8 @@ TEST(MeshRepair, ShellsThatPassThroughOneAnotherAreJoined) {
   EXPECT_TRUE(repaired.hull.symmetric);
   const double frigate = wetVolume(makeHull(closedFrigate(100, 20), "frigate", Symmetry::Auto));
   const double whole = volumeIntegrals(bulb).volume;
-  // Points of the ellipsoid that are not in the hull, by the hull's formula on a fine grid: 29.8 m³ of
-  // 36.8; the coarse ellipsoid lacks 1 %, and the hull's own polyhedron 0.1 m³ there.
+  // Points of the ellipsoid that are not in the hull, by the hull's formula on a fine grid: 29.8 m³
+  // of 36.8; the coarse ellipsoid lacks 1 %, and the hull's own polyhedron 0.1 m³ there.
   EXPECT_NEAR(wetVolume(repaired.hull) - frigate, 29.8 / 36.8 * whole, 0.3);
   const SurfaceMesh panels = panelled(repaired.hull, 433, "bulb.obj");
   EXPECT_NEAR(2 * volumeIntegrals(panels).volume / wetVolume(repaired.hull), 1.0, 0.01);
@@ -188,7 +190,8 @@ TEST(MeshRepair, AMeshOutOfTheWaterIsRefused) {
 }
 
 TEST(MeshRepair, SymmetryIsFoundFromTheSurface) {
-  // Twice as finely divided on one side: no vertex has its image, the surface has (2 mm of sagitta).
+  // Twice as finely divided on one side: no vertex has its image, the surface has (2 mm of
+  // sagitta).
   const SurfaceMesh coarse = test::portHalf(closedFrigate(200, 40));
   const SurfaceMesh fine = mirroredInY(test::portHalf(closedFrigate(400, 80)));
   const SurfaceMesh both = joined(coarse, fine);

@@ -18,22 +18,23 @@ std::vector<Vec3> wedgeOffsets() {
   return points;
 }
 
-// A prism whose sections are straight: splines reproduce straight lines, so its volume is L·B·T/2 but
-// for the rounded stem, half a disc of the half breadth at each height: (π/2) ∫y² dz.
+// A prism whose sections are straight: splines reproduce straight lines, so its volume is L·B·T/2
+// but for the rounded stem, half a disc of the half breadth at each height: (π/2) ∫y² dz.
 TEST(LoftClosedForm, StraightSectionsStayStraight) {
   const LoftedHull loft(wedgeOffsets());
   const Hull hull = makeHull(loft.closed(40, 20), "wedge", Symmetry::Auto);
   EXPECT_TRUE(hull.closed);
   const Hydrostatics h = hydrostatics(wholeWetSurface(hull), Vec3::Zero(), 1000.0, 9.81);
   const double prism = 40.0 * 6.0 * 2.0 / 2, nose = 0.5 * kPi * 9.0 * 2.0 / 3;
-  // Two strips inscribed in a quarter of a circle: 2·½ sin 45° of π/4. Its own curvature in z: none.
+  // Two strips inscribed in a quarter of a circle: 2·½ sin 45° of π/4. Its own curvature in z:
+  // none.
   const double inscribed = std::sin(kPi / 4) / (kPi / 4);
   EXPECT_NEAR(h.volume, prism + inscribed * nose, 1e-3 * nose);
   EXPECT_NEAR(h.beam, 6.0, 1e-9);
 }
 
-// Particulars kept with the offsets: mass 2.460962e7 kg, C33 3.16839e7 N/m at 1025 kg/m³ and
-// 9.81 m/s², centre of gravity 2.5475 m aft. Another maker's integration of 24 sections: 0.5 % of V and
+// Particulars kept with the offsets: mass 2.460962e7 kg, C33 3.16839e7 N/m at 1025 kg/m³ and 9.81
+// m/s², centre of gravity 2.5475 m aft. Another maker's integration of 24 sections: 0.5 % of V and
 // C33, 0.1 % of the length.
 TEST(LoftVerification, S175HasThePublishedParticulars) {
   const test::TestHull s175 = test::testS175();
