@@ -1,8 +1,9 @@
 // The tables and figures of the report's frequency domain ([M03] sections 4 to 7) for our frigate:
 // report_figures OUT_DIR [--panels N] [--every K]
-// Look for: the meshes' damping on one line and their U dA/dx close (figures 15-20); one source point
-// spoils U dA33 at high frequency (6); condition numbers peak where A and B do, with lid nowhere (7-12);
-// interpolated inverses leave the direct curves where omega_e is 2 to 3 rad/s (22, differences.csv).
+// Look for: the meshes' damping on one line and their U dA/dx close (figures 15-20); one source
+// point spoils U dA33 at high frequency (6); condition numbers peak where A and B do, with lid
+// nowhere (7-12); interpolated inverses leave the direct curves where omega_e is 2 to 3 rad/s (22,
+// differences.csv).
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>

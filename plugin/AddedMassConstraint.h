@@ -24,7 +24,7 @@ CUTWATER_PLUGIN_BEGIN
 /// under way has a mean velocity V and a mean heading that turns (setMean). What linear theory says
 /// of them is in its terms b(U), c(U), K^U. So V turns with the mean heading without any force, and
 /// the momentum of the rest is kept in axes that turn with it:
-///     p⁻ = R′A∞R′ᵀ QV + Q R A∞ Rᵀ(v⁻ − V),   Q the tick's turn of the mean heading, R′ the axes now
+///     p⁻ = R′A∞R′ᵀ QV + Q R A∞ Rᵀ(v⁻ − V),  Q the tick's turn of the mean heading, R′ the axes now
 /// In axes of the mean heading the force is then −d(A∞v)/dt: a hull that coasts and turns keeps
 /// ½vᵀ(M + A∞)v.                                                          theory: Traps, turning
 /// J_r M⁻¹ J_sᵀ = δ_rs (but for a heeled body's inertia in upright axes, where a few passes do):

@@ -65,7 +65,7 @@ Vec3 eulerAngles(const Mat3& rotation) noexcept;
 /// One ship: a btRigidBody and the hydrodynamic loads on it. Made by Seaway::addShip.
 ///     cutwater::Ship& ship = seaway.addShip(frigate, {.start = {.speed = 8.0}});
 ///     ship.keepCourse({.heading = 0.5});                     // autopilots
-///     ship.addForce(std::make_unique<Wind>(20.0));           // a load of your own (ForceGenerator.h)
+///     ship.addForce(std::make_unique<Wind>(20.0));       // a load of your own (ForceGenerator.h)
 ///
 /// The load is a list of parts:
 ///     gravity         Bullet's, on this body

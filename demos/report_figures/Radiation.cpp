@@ -15,7 +15,8 @@ std::vector<double> solved(const CoefficientTables& c, std::size_t i, int mode) 
   return {c.damping[i](mode, mode) / unit, kSpeed * c.addedMassX[i](mode, mode) / unit};
 }
 
-/// The same as a database gives it back: beyond the waves that the panels resolve, its continuation.
+/// The same as a database gives it back: beyond the waves that the panels resolve, its
+/// continuation.
 std::vector<double> read(const CoefficientTables& c, std::size_t i, int mode) {
   const double unit = dampingUnit(c.ship, mode), omega = c.omega[i];
   return {dampingAt(c, omega)(mode, mode) / unit,

@@ -6,8 +6,8 @@
 
 namespace cutwater {
 
-/// Names of the enumerators of an enum in files and commands, in the order of the enumerators. Each name
-/// is written here only.
+/// Names of the enumerators of an enum in files and commands, in the order of the enumerators. Each
+/// name is written here only.
 ///     inline constexpr EnumNames<2> kColourNames{"red", "green"};
 ///     nameOf(kColourNames, Colour::Green);         // "green"
 ///     fromName<Colour>(kColourNames, "red");       // Colour::Red

@@ -18,13 +18,13 @@ inline std::size_t workersFor(int asked) {
   return std::max(1u, all);
 }
 
-/// Does work(0) … work(count − 1), shared among threads, the caller's among them; each takes the next one
-/// that nobody has begun.
+/// Does work(0) … work(count − 1), shared among threads, the caller's among them; each takes the
+/// next one that nobody has begun.
 ///     parallelFor(ships.size(), 0, [&](std::size_t i) { evaluate(ships[i]); });
-/// work(i, worker) is called instead where it can be: worker < workersFor(threads) is the number of the
-/// thread, the place of its own workspace.
-/// The first exception stops what has not begun and is thrown to the caller when all threads have ended.
-/// Threads are made and ended within, some 20 µs each: for work of milliseconds or more.
+/// work(i, worker) is called instead where it can be: worker < workersFor(threads) is the number of
+/// the thread, the place of its own workspace. The first exception stops what has not begun and is
+/// thrown to the caller when all threads have ended. Threads are made and ended within, some 20 µs
+/// each: for work of milliseconds or more.
 /// @param threads  as of workersFor.
 template <class Work>
 void parallelFor(std::size_t count, int threads, const Work& work) {

@@ -5,9 +5,9 @@
 
 #include "hydro/base/Simd.h"
 
-// Elementary functions of four numbers at once, for loops in functions marked CUTWATER_VECTOR. Errors
-// below 2e-16 of the result, or of 1 for sine and cosine. No special values: the ranges given are all
-// there is.
+// Elementary functions of four numbers at once, for loops in functions marked CUTWATER_VECTOR.
+// Errors below 2e-16 of the result, or of 1 for sine and cosine. No special values: the ranges
+// given are all there is.
 
 namespace cutwater {
 

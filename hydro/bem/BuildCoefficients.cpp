@@ -40,9 +40,10 @@ std::string describe(const SolveSettings& settings, std::size_t lidPanels) {
          nameOf(kInfluenceNames, settings.influence) + "\"\n";
 }
 
-/// Highest frequency whose waves the panels at calm water resolve: K ℓ = π, half a wave, ℓ the longest
-/// edge of the lid, without lid of the waterline. On the frigate of 1040 panels a side (π at 3.80 rad/s)
-/// damping of pitch is within 1 % of that of 2000 panels up to there, 7 % off at 4.0 and 18 % at 4.2.
+/// Highest frequency whose waves the panels at calm water resolve: K ℓ = π, half a wave, ℓ the
+/// longest edge of the lid, without lid of the waterline. On the frigate of 1040 panels a side (π
+/// at 3.80 rad/s) damping of pitch is within 1 % of that of 2000 panels up to there, 7 % off at 4.0
+/// and 18 % at 4.2.
 double resolved(const PanelMesh& mesh, double gravity) {
   const bool lid = !mesh.lid.empty();
   double longest = 0.0;

@@ -6,16 +6,16 @@
 
 namespace cutwater {
 
-/// Called at the start with what the journal holds, then after each finished frequency, by one thread
-/// at a time, not always the same one. What it throws stops the sweep and comes out of
+/// Called at the start with what the journal holds, then after each finished frequency, by one
+/// thread at a time, not always the same one. What it throws stops the sweep and comes out of
 /// buildCoefficients.
 using SolveProgress = std::function<void(int done, int total)>;
 
 /// Radiation and diffraction of a ship at rest in deep water: A, B, A(0), A(∞), F_I, F_D, ∂A, ∂B,
 /// adjoint vectors and condition numbers; at forward speed what settings.influence asks for. Panel
 /// method (InfluenceMatrices.h). Condition limits are copied into the result, on which applyMask
-/// (IrregularFrequencies.h) acts; here they only keep irregular frequencies from being nodes between
-/// which influence = Matrix or Inverse interpolates.
+/// (IrregularFrequencies.h) acts; here they only keep irregular frequencies from being nodes
+/// between which influence = Matrix or Inverse interpolates.
 ///
 /// A hull with `symmetric` set is solved by its port half; if G lies off its centre plane the modes
 /// mix, so it is solved whole and the result's wetSurface is the whole surface. Everything of
@@ -27,7 +27,8 @@ using SolveProgress = std::function<void(int done, int total)>;
 /// @param journal  a file in which finished frequencies are kept, and from which those of an
 ///        interrupted sweep of the same ship and settings are taken, to the same bits; "": none. It
 ///        stays; remove it when the result is safe.
-/// @throws HydroError FileNotWritable (journal), FrequenciesNotIncreasing, ValueOutOfRange, MeshEmpty, BadArgument,
+/// @throws HydroError FileNotWritable (journal), FrequenciesNotIncreasing, ValueOutOfRange,
+///         MeshEmpty, BadArgument,
 /// MatrixSingular, HullNotClosed (no lid fits the waterline).
 SolverOutput buildCoefficients(const ShipParticulars& ship, const SolveSettings& settings,
                                const SolveProgress& progress = {}, const std::string& journal = {});

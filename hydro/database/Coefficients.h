@@ -36,8 +36,9 @@ struct DiffractionTable {
   }
 };
 
-/// A quantity over frequency: its values at the grid's frequencies (`Coefficients::omega`) and its limits.
-/// Matrices of fixed size are zero until set; adjoint vectors without columns are not computed.
+/// A quantity over frequency: its values at the grid's frequencies (`Coefficients::omega`) and its
+/// limits. Matrices of fixed size are zero until set; adjoint vectors without columns are not
+/// computed.
 template <class T>
 struct OverFrequency {
   std::vector<T> values;     ///< [frequency]; empty if not computed
@@ -70,8 +71,8 @@ struct OverFrequency {
 };
 
 /// Hydrodynamics of one ship in deep water over a grid of frequencies, at rest, with all that any
-/// forward speed needs: what `Coefficients` and `SolverOutput` (SolverOutput.h) have in common. Forces
-/// and moments about G, modes and signs as in Conventions.h.
+/// forward speed needs: what `Coefficients` and `SolverOutput` (SolverOutput.h) have in common.
+/// Forces and moments about G, modes and signs as in Conventions.h.
 struct CoefficientTables {
   ShipParticulars ship;
   Provenance provenance;
@@ -81,9 +82,9 @@ struct CoefficientTables {
   OverFrequency<Mat6> addedMass;  ///< A
   OverFrequency<Mat6> damping;    ///< B; 0 at both limits
 
-  /// Highest frequency whose waves the panels resolve [rad/s]. Above it the solver's A, B, ∂A, ∂B and
-  /// adjoint vectors are not to be used; `finish` continues them from there. 0: not known, every
-  /// frequency counts as resolved.
+  /// Highest frequency whose waves the panels resolve [rad/s]. Above it the solver's A, B, ∂A, ∂B
+  /// and adjoint vectors are not to be used; `finish` continues them from there. 0: not known,
+  /// every frequency counts as resolved.
   double resolvedOmega = 0.0;
 
   /// A(∞) of the ω = ∞ boundary value problem itself, where `addedMass.atInfinity` holds the better
@@ -104,9 +105,10 @@ struct CoefficientTables {
   std::vector<std::vector<CVec6>> froudeKrylov;  ///< [heading][frequency]
   std::vector<std::vector<CVec6>> diffraction;   ///< [heading][frequency]
 
-  /// Adjoint vectors, 6 × panels: F^ω_j = Σ_i b_j,i v_i and F^U_j = Σ_i b^x_j,i v_i over all panels,
-  /// v = −∂φ_I/∂n, its mean over each panel; of a symmetric hull the port panels, to be used with twice
-  /// the even (j = 1, 3, 5) or odd part of v. F_D = ω_e F^ω + U F^U.            [M03] (88)-(91)
+  /// Adjoint vectors, 6 × panels: F^ω_j = Σ_i b_j,i v_i and F^U_j = Σ_i b^x_j,i v_i over all
+  /// panels, v = −∂φ_I/∂n, its mean over each panel; of a symmetric hull the port panels, to be
+  /// used with twice the even (j = 1, 3, 5) or odd part of v.
+  ///     F_D = ω_e F^ω + U F^U                                              [M03] (88)-(91)
   ///     b_j = iρ Rᵀ L⁻ᵀ w_j,   b^x_j = −ρ(n_x∘w_j + Rᵀ L⁻ᵀ Tᵀ n_j)
   /// At ω_e = 0 the free surface is rigid, at ω_e = ∞ φ = 0 on it. Empty if not computed.
   using AdjointVectors = Eigen::Matrix<Complex, 6, Eigen::Dynamic>;
@@ -118,8 +120,9 @@ struct CoefficientTables {
   /// Diffraction by other means than adjoint vectors; empty unless the solver was asked for it.
   DiffractionTable diffractionTable;
 
-  /// Frequencies of `omega` whose condition number is above the user's envelope: 1, else 0. Their A,
-  /// B, ∂A, ∂B, F_D and adjoint vectors are interpolated from the others. Empty: no mask.  [M03] 5.7
+  /// Frequencies of `omega` whose condition number is above the user's envelope: 1, else 0. Their
+  /// A, B, ∂A, ∂B, F_D and adjoint vectors are interpolated from the others. Empty: no mask. [M03]
+  /// 5.7
   std::vector<int> masked;
   /// The envelopes themselves, pairs (ω, limit), of the even and odd systems.
   std::vector<std::pair<double, double>> conditionLimitEven, conditionLimitOdd;

@@ -246,8 +246,8 @@ void transferStatus(Store&& store, C& c) {
   store("unfinished_because", c.unfinishedBecause);
 }
 
-/// Version 2 did not say: `cutwater solve` wrote a database without a consistent A(∞) if its grid was too
-/// coarse, and a program that did not finish its coefficients wrote one as well.
+/// Version 2 did not say: `cutwater solve` wrote a database without a consistent A(∞) if its grid
+/// was too coarse, and a program that did not finish its coefficients wrote one as well.
 void deduceStatus(Coefficients& c) {
   if (c.hasConsistentLimit()) {
     c.status = CoefficientStatus::Finished;

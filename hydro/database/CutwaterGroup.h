@@ -18,7 +18,8 @@ Coefficients readCutwaterGroup(const hdf5::Reader& reader, std::int64_t version)
 /// Refuses numbers that are not finite. @throws HydroError ValueOutOfRange.
 void checkFinite(const Coefficients& coefficients, const std::string& where);
 
-/// Refuses numbers that are not finite, a mask other than 0 and 1, sizes that do not match, frequencies that do not increase.
+/// Refuses numbers that are not finite, a mask other than 0 and 1, sizes that do not match,
+/// frequencies that do not increase.
 /// @param where begins the message: a function or a file.
 /// @throws HydroError ValueOutOfRange, FrequenciesNotIncreasing, DatabaseIncomplete,
 ///         MeshIndexOutOfRange.

@@ -49,8 +49,8 @@ T beyond(const T& last, const OverFrequency<T>& quantity, double u, Ends ends) {
   return quantity.atInfinity + u * u * (last - quantity.atInfinity);
 }
 
-/// The one interpolation: local cubic of the quantity (Ends::Vanish: of it over ω) through its limit at ω = 0,
-/// if it is known, and its values at the first `count` frequencies.
+/// The one interpolation: local cubic of the quantity (Ends::Vanish: of it over ω) through its
+/// limit at ω = 0, if it is known, and its values at the first `count` frequencies.
 template <class T>
 T interpolated(const CoefficientTables& c, const OverFrequency<T>& quantity, Ends ends,
                std::size_t count, double omega) {

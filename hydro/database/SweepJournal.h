@@ -7,10 +7,10 @@
 
 namespace cutwater {
 
-/// Finished frequencies of a sweep, kept in a file beside the database to be, so that a sweep that is
-/// killed at any moment can go on from them. Each is appended by one write and carries a checksum; a
-/// torn one at the end is cut off when the file is opened again. Numbers are kept as they are: a
-/// resumed sweep has the same bits. Not installed. Not for several threads at once.
+/// Finished frequencies of a sweep, kept in a file beside the database to be, so that a sweep that
+/// is killed at any moment can go on from them. Each is appended by one write and carries a
+/// checksum; a torn one at the end is cut off when the file is opened again. Numbers are kept as
+/// they are: a resumed sweep has the same bits. Not installed. Not for several threads at once.
 class SweepJournal {
  public:
   /// Opens or makes the file.

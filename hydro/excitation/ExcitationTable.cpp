@@ -28,7 +28,8 @@ double reachOf(double omega, double length, double gravity) {
   return 0.5 * length * omega * omega / gravity;
 }
 
-/// [rad] from node to node: waves shorter than the ship push her less and less, and may be as much coarser.
+/// [rad] from node to node: waves shorter than the ship push her less and less, and may be as much
+/// coarser.
 double phaseStep(double reach) { return kPhaseStep * std::sqrt(std::max(1.0, reach / 8.0)); }
 
 double lengthOf(const SurfaceMesh& mesh) {
@@ -36,7 +37,8 @@ double lengthOf(const SurfaceMesh& mesh) {
   return box.high.x() > box.low.x() ? box.high.x() - box.low.x() : 1.0;
 }
 
-/// Orthonormal directions that hold all columns to `error` of the largest, the longest remainder first.
+/// Orthonormal directions that hold all columns to `error` of the largest, the longest remainder
+/// first.
 Eigen::MatrixXd directions(Eigen::MatrixXd columns, double error, std::size_t most) {
   const double goal = error * columns.colwise().norm().maxCoeff();
   Eigen::MatrixXd basis(columns.rows(), 0);
@@ -165,8 +167,8 @@ void ExcitationTable::makeBasis(const std::vector<Coefficients::AdjointVectors>&
   if (!symmetric_) basis_[1].resize(panels, 0);
 }
 
-// Rows b_j and b^x_j in the directions: Re then Im, over the rank of the mode's parity; twice for the port
-// half of a symmetric hull.
+// Rows b_j and b^x_j in the directions: Re then Im, over the rank of the mode's parity; twice for
+// the port half of a symmetric hull.
 void ExcitationTable::project(const Coefficients::AdjointVectors& b,
                               const Coefficients::AdjointVectors& bx, double* row) const {
   for (const auto* vectors : {&b, &bx}) {

@@ -10,15 +10,16 @@
 
 namespace cutwater {
 
-/// Forces of all components of a sea on a ship of any course and speed, shared by all ships of a kind.
+/// Forces of all components of a sea on a ship of any course and speed, shared by all ships of a
+/// kind.
 ///
-/// F_I and the incident velocity v on the panels depend on ω_I and β alone, the adjoint vectors b, b^x on
-/// ω_e alone: F_D = ω′ b(ω_e)·v + U b^x(ω_e)·v, v* and the conjugate of the force where ω′ < 0. The panels'
-/// velocities are kept in the few directions that the adjoint vectors see (some 40 of each parity instead
-/// of hundreds of panels), on a grid of ω_I and β fine enough for the waves' phase at the ends of the ship,
-/// half a radian a step, with local cubics between; the vectors on an even grid of ω_e, likewise.
-/// Immutable, any thread may read. At load some tenths of a second and 10 MB for a sea of 200 components;
-/// a call costs about a microsecond.
+/// F_I and the incident velocity v on the panels depend on ω_I and β alone, the adjoint vectors b,
+/// b^x on ω_e alone: F_D = ω′ b(ω_e)·v + U b^x(ω_e)·v, v* and the conjugate of the force where ω′ <
+/// 0. The panels' velocities are kept in the few directions that the adjoint vectors see (some 40
+/// of each parity instead of hundreds of panels), on a grid of ω_I and β fine enough for the waves'
+/// phase at the ends of the ship, half a radian a step, with local cubics between; the vectors on
+/// an even grid of ω_e, likewise. Immutable, any thread may read. At load some tenths of a second
+/// and 10 MB for a sea of 200 components; a call costs about a microsecond.
 class ExcitationTable {
  public:
   /// Of one component, per metre of its amplitude.
@@ -28,8 +29,8 @@ class ExcitationTable {
 
   /// @param form  of the forward-speed terms; absent: the database's own.
   /// @throws HydroError ValueOutOfRange, naming the component, above the database's last frequency;
-  ///         as WaveExcitation::at for a database without adjoint vectors, whose tables must hold all headings
-  ///         and whose diffraction is that at rest at every speed.
+  ///         as WaveExcitation::at for a database without adjoint vectors, whose tables must hold
+  ///         all headings and whose diffraction is that at rest at every speed.
   ExcitationTable(const Coefficients& coefficients, const SeaState& sea,
                   std::optional<ForwardSpeedForm> form = {});
 
@@ -43,8 +44,8 @@ class ExcitationTable {
     return {froudeKrylov(component, course), diffraction(component, course, speed)};
   }
 
-  /// Largest distance from direct evaluation at points between the grid's, over the largest force of that
-  /// mode in this sea, both for waves of unit amplitude; measured when made.
+  /// Largest distance from direct evaluation at points between the grid's, over the largest force
+  /// of that mode in this sea, both for waves of unit amplitude; measured when made.
   double error() const noexcept { return error_; }
 
  private:

@@ -18,8 +18,8 @@ namespace {
   throw HydroError(fault, "WaveExcitation: " + what);
 }
 
-/// The two columns of a table of headings that stand on either side of β, and the weight of the second.
-/// Headings are angles: in any order, modulo 2π.
+/// The two columns of a table of headings that stand on either side of β, and the weight of the
+/// second. Headings are angles: in any order, modulo 2π.
 struct Bracket {
   std::size_t low = 0, high = 0;
   double weight = 0.0;
@@ -27,9 +27,9 @@ struct Bracket {
   bool mirrored = false;  // of −β instead, modes 2, 4, 6 reversed
 };
 
-/// The widest gap to be interpolated over, with what its ends' round-off may add [rad]. A straight line
-/// over it is off by 4 % of the force of a wave three ship lengths long, whose phase at the ends of the
-/// ship turns by up to ±(π/3)(π/12), and by 30 % of that of a wave one length long.
+/// The widest gap to be interpolated over, with what its ends' round-off may add [rad]. A straight
+/// line over it is off by 4 % of the force of a wave three ship lengths long, whose phase at the
+/// ends of the ship turns by up to ±(π/3)(π/12), and by 30 % of that of a wave one length long.
 constexpr double kWidestGap = kPi / 6.0 + 1e-9;
 
 Bracket bracket(const std::vector<double>& headings, double beta) {

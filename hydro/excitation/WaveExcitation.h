@@ -12,7 +12,7 @@ namespace cutwater {
 /// encounter frequency ω′ = ω_I − kU cos β, crest over the mean position of G at t = 0.
 ///   F_I = −ρg ∫ e^{kz − ik(x cos β − y sin β)} n_j dS, evaluated directly each time   [M03] 5.8
 ///   F_D = ω′F^ω + U F^U = ρ∫(iω′φ_D − U ∂φ_D/∂x) n_j dS                         [M03] (88)-(91)
-///   F^ω_j = Σ_i b_j,i(ω_e) v_i,  F^U_j = Σ_i b^x_j,i(ω_e) v_i      v = −∂φ_I/∂n exact, b interpolated
+///   F^ω_j = Σ_i b_j,i(ω_e) v_i,  F^U_j = Σ_i b^x_j,i(ω_e) v_i,  v = −∂φ_I/∂n exact, b interpolated
 /// Of ω_I and β only v depends, of U only ω_e = |ω′|. Tuck's form has F^U_5 = iF^ω_3,
 /// F^U_6 = −iF^ω_2, others 0. A ship that overtakes the waves, ω′ < 0, sees their mirror image in
 /// time: ψ solved at ω_e from v* gives
@@ -20,9 +20,9 @@ namespace cutwater {
 /// and at ω′ = 0 both give U F^U of the rigid free surface: F_D is continuous there.
 ///
 /// A database without adjoint vectors is read from its DiffractionTable at one of the table's own
-/// speeds, or at U = 0 (a plain BEMIO file) from its table of F_I and F_D: cubic in ω_I, linear in β
-/// over gaps of up to 30°; of the latter F_I and F_D are only as separate as the file has them. Immutable after construction;
-/// any thread may read. `at` costs O(panels); use it at load.
+/// speeds, or at U = 0 (a plain BEMIO file) from its table of F_I and F_D: cubic in ω_I, linear in
+/// β over gaps of up to 30°; of the latter F_I and F_D are only as separate as the file has them.
+/// Immutable after construction; any thread may read. `at` costs O(panels); use it at load.
 class WaveExcitation {
  public:
   struct Force {
@@ -39,10 +39,10 @@ class WaveExcitation {
   /// @param omegaI ω_I [rad/s], 0 < ω_I ≤ the database's last frequency, whose waves the panels are
   ///               made for. Tables are held below their first frequency.
   /// @param heading β [rad], any.  @param speed U [m/s], any.
-  /// @throws HydroError ValueOutOfRange: ω_I; ω_e beyond the last frequency if the database holds no
-  ///         vectors for ω = ∞; a speed, heading or frequency the tables do not have.
-  ///         DatabaseIncomplete: no excitation, or none at a speed; BadArgument: a table of the other
-  ///         form.
+  /// @throws HydroError ValueOutOfRange: ω_I; ω_e beyond the last frequency if the database holds
+  ///         no vectors for ω = ∞; a speed, heading or frequency the tables do not have.
+  ///         DatabaseIncomplete: no excitation, or none at a speed; BadArgument: a table of the
+  ///         other form.
   Force at(double omegaI, double heading, double speed = 0.0) const;
   /// F_I alone; it does not depend on the speed.   @throws as at().
   CVec6 froudeKrylov(double omegaI, double heading) const;

@@ -18,8 +18,8 @@ double largest(const Mat6& difference, const Vec6& size) {
   return difference.cwiseQuotient(size * size.transpose()).cwiseAbs().maxCoeff();
 }
 
-/// √A_jj, but not less than a trifle of the translations', so that a mode without added mass (the yaw
-/// of a body of revolution) does not make round-off look significant.
+/// √A_jj, but not less than a trifle of the translations', so that a mode without added mass (the
+/// yaw of a body of revolution) does not make round-off look significant.
 Vec6 sizeOf(const Mat6& addedMass, double volume) {
   const double length = std::cbrt(std::max(volume, 1e-12));
   const double least = 1e-6 * addedMass.diagonal().head<3>().maxCoeff();
@@ -29,7 +29,8 @@ Vec6 sizeOf(const Mat6& addedMass, double volume) {
   return size.cwiseSqrt();
 }
 
-/// B, A, ∂B above the last frequency that the panels resolve, and ∂A from 0.5 of it on, become the memory's.
+/// B, A, ∂B above the last frequency that the panels resolve, and ∂A from 0.5 of it on, become the
+/// memory's.
 void continueAbove(Coefficients& c, const RetardationMatrix& memory) {
   const std::size_t resolved = resolvedCount(c);
   const double last = c.omega[resolved - 1];

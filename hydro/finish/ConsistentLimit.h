@@ -6,9 +6,9 @@ namespace cutwater {
 /// A(∞) as A(ω) and B(ω) give it at finite frequencies,
 ///     A(∞) = A(ω) + (1/ω)∫₀^∞ K sin ωτ dτ                                     [Ogilvie 1964]
 /// averaged over the middle of the band (memory/MiddleBand.h). At ω = ∞ itself the pressure of sway
-/// behaves as z ln z at the waterline, and one value a panel leaves an error of first order in the depth
-/// of the uppermost panels, about twice that at finite ω. Only with this A(∞) do A(∞) and K together give
-/// back the solver's A(ω), so that time and frequency domain agree.
+/// behaves as z ln z at the waterline, and one value a panel leaves an error of first order in the
+/// depth of the uppermost panels, about twice that at finite ω. Only with this A(∞) do A(∞) and K
+/// together give back the solver's A(ω), so that time and frequency domain agree.
 struct ConsistentLimit {
   Mat6 addedMassInf = Mat6::Zero();  ///< symmetric [kg, kg·m, kg·m²]
   /// Largest |value at one ω − mean| over √(A_jj A_kk), all pairs: small if A, B and the tail
@@ -24,11 +24,11 @@ inline constexpr double kLargestScatter = 0.02, kLargestDistance = 0.1;
 /// @param memory  of the same coefficients.
 ConsistentLimit consistentLimit(const Coefficients& coefficients, const RetardationMatrix& memory);
 
-/// Puts the limit into place as `addedMass.atInfinity` and keeps the solver's own as `addedMassInfDirect`.
-/// Above `resolvedOmega` = Ω′ A and B become the memory's continuation: B by its tail,
-/// A = A(∞) − (1/ω)∫K sin ωτ dτ, and ∂A, ∂B likewise with a consistent ∂A(∞). ∂A does so earlier: from
-/// 0.5 Ω′ to 0.8 Ω′ it goes over from the solver's to ∂A(∞) − (1/ω)∫∂K sin ωτ dτ of ∂B, which there is the
-/// better value (decisions/).
+/// Puts the limit into place as `addedMass.atInfinity` and keeps the solver's own as
+/// `addedMassInfDirect`. Above `resolvedOmega` = Ω′ A and B become the memory's continuation: B by
+/// its tail, A = A(∞) − (1/ω)∫K sin ωτ dτ, and ∂A, ∂B likewise with a consistent ∂A(∞). ∂A does so
+/// earlier: from 0.5 Ω′ to 0.8 Ω′ it goes over from the solver's to ∂A(∞) − (1/ω)∫∂K sin ωτ dτ of
+/// ∂B, which there is the better value (decisions/).
 void continueConsistently(Coefficients& coefficients, const RetardationMatrix& memory,
                           const ConsistentLimit& limit);
 

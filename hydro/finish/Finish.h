@@ -8,25 +8,26 @@ namespace cutwater {
 
 /// Makes coefficients of what the solver returned; `solve` (solve/Solve.h) does both.
 ///     Coefficients frigate = finish(buildCoefficients(ship, settings));
-/// 1. A and B become symmetric, as they are but for discretisation error [Timman & Newman 1962]; what
-///    was left of A_jk − A_kj is noted in `Provenance::settings`.
-/// 2. What is masked, or not resolved by the panels, is interpolated from the other frequencies, because
-///    the memory must not see a resonance that the mask takes out.
-/// 3. A(∞) is replaced by the one that A(ω) and B(ω) imply, so that time and frequency domain agree; A, B,
-///    ∂A and ∂B above the resolved frequencies are continued by the memory's tail.
-/// The result is `Finished`. Where the grid is too coarse, too short or one frequency, step 3 is left out
-/// and the result is `Unfinished`, with the reason and the grid that would do.
+/// 1. A and B become symmetric, as they are but for discretisation error [Timman & Newman 1962];
+///    what was left of A_jk − A_kj is noted in `Provenance::settings`.
+/// 2. What is masked, or not resolved by the panels, is interpolated from the other frequencies,
+///    because the memory must not see a resonance that the mask takes out.
+/// 3. A(∞) is replaced by the one that A(ω) and B(ω) imply, so that time and frequency domain
+///    agree; A, B, ∂A and ∂B above the resolved frequencies are continued by the memory's tail.
+/// The result is `Finished`. Where the grid is too coarse, too short or one frequency, step 3 is
+/// left out and the result is `Unfinished`, with the reason and the grid that would do.
 /// @throws HydroError DatabaseIncomplete: the condition limits leave fewer than two frequencies;
 ///         ValueOutOfRange, FrequenciesNotIncreasing: bad condition limits.
 Coefficients finish(SolverOutput output);
 
-/// What a user should know about the frequency grid, a line each: why the coefficients are unfinished,
-/// or what the grid is too coarse for although they are finished. K^UU, the memory of a ship under way
-/// that grows with U², needs steps up to 0.36 √(g/L), 0.1 rad/s for a ship of 120 m, and frequencies up to
-/// 3 √(g/B), 2.4 rad/s for a beam of 15 m. Empty: nothing to say.
+/// What a user should know about the frequency grid, a line each: why the coefficients are
+/// unfinished, or what the grid is too coarse for although they are finished. K^UU, the memory of a
+/// ship under way that grows with U², needs steps up to 0.36 √(g/L), 0.1 rad/s for a ship of 120 m,
+/// and frequencies up to 3 √(g/B), 2.4 rad/s for a beam of 15 m. Empty: nothing to say.
 std::vector<std::string> gridWarnings(const Coefficients& coefficients);
 
-/// Largest |X_jk − X_kj| over the grid, of √(X_jj X_kk) at its largest: discretisation error in A and B.
+/// Largest |X_jk − X_kj| over the grid, of √(X_jj X_kk) at its largest: discretisation error in A
+/// and B.
 double asymmetry(const OverFrequency<Mat6>& matrices);
 
 }  // namespace cutwater

@@ -12,8 +12,8 @@ namespace cutwater {
 
 /// The mean course about which a ship's motions are linear (frame H).
 enum class Mean {
-  Fixed,  ///< a straight line at constant speed, whatever the ship does: a towing tank, and [M03]
-  Filtered  ///< follows the ship slowly (MeanCourse.h): a free ship, to be driven, turned, collided with
+  Fixed,    ///< a straight line at constant speed, whatever the ship does: a towing tank, and [M03]
+  Filtered  ///< follows the ship slowly (MeanCourse.h): a free ship, to be driven and turned
 };
 
 /// Where a ship starts. SI units and E (z up) whatever the world's are.

@@ -19,7 +19,8 @@ bool crosses(const Vec3& origin, const Vec3& direction, const Vec3& a, const Vec
   return u >= 0 && v >= 0 && u + v <= 1 && t > 1e-12 && t < reach;
 }
 
-/// Square of the distance from p to a triangle: to its plane if the foot is inside, else to its edges.
+/// Square of the distance from p to a triangle: to its plane if the foot is inside, else to its
+/// edges.
 double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const auto toEdge = [&](const Vec3& u, const Vec3& v) {
     const Vec3 e = v - u;

@@ -16,14 +16,14 @@ namespace {
 // computed by someone else, far below any distance that matters.
 constexpr double kInPlane = 1e-10;
 
-// The edges of a panel, one a lane. Coordinates s1 < s2 of their ends along the edge relative to the
-// foot of x, distances r1, r2 of the ends from x, distance d of the foot from the edge's line.
+// The edges of a panel, one a lane. Coordinates s1 < s2 of their ends along the edge relative to
+// the foot of x, distances r1, r2 of the ends from x, distance d of the foot from the edge's line.
 struct Edges {
   Double4 s1, s2, r1, r2, d;
 };
 
-// ∫ dl/r along each edge, h² = the squared distance of x from its line. Each branch adds numbers of one
-// sign, so nothing cancels near the edge or its extension.
+// ∫ dl/r along each edge, h² = the squared distance of x from its line. Each branch adds numbers of
+// one sign, so nothing cancels near the edge or its extension.
 CUTWATER_INLINE Double4 edgeIntegrals(const Edges& e, Double4 h2) {
   const auto ahead = e.s1 >= 0.0, behind = e.s2 <= 0.0;
   const Double4 above = ahead ? e.r2 + e.s2 : behind ? e.r1 - e.s1 : (e.r2 + e.s2) * (e.r1 - e.s1);
@@ -38,8 +38,8 @@ std::complex<double> product(std::complex<double> a, std::complex<double> b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
-// The product over all edges of (q2 + i d s2)(q1 − i d s1), q = h² + |z| r, whose argument is the solid
-// angle [Wilton84]. Every q is positive, so it is smooth wherever the foot of x lies.
+// The product over all edges of (q2 + i d s2)(q1 − i d s1), q = h² + |z| r, whose argument is the
+// solid angle [Wilton84]. Every q is positive, so it is smooth wherever the foot of x lies.
 CUTWATER_INLINE std::complex<double> turn(const Edges& e, Double4 h2, double height, double scale,
                                           Bits4 isEdge) {
   const Double4 q1 = scale * (h2 + height * e.r1), q2 = scale * (h2 + height * e.r2);

@@ -75,8 +75,8 @@ CUTWATER_INLINE Place place(double scaled, std::size_t last) {
   return {i, 2.0 * (scaled - static_cast<double>(i)) - 1.0};
 }
 
-// Below kSilent the waves are less than round-off; there X may be small, where Y₀ is not finite. Above
-// it X > 15 where Y₀ is needed: R > 36 or α < 3/4.
+// Below kSilent the waves are less than round-off; there X may be small, where Y₀ is not finite.
+// Above it X > 15 where Y₀ is needed: R > 36 or α < 3/4.
 constexpr double kSilent = 32.0;
 
 /// Points that are worked out together, one step for all at a time: within a step they do not wait

@@ -1,10 +1,10 @@
 #pragma once
 #include "hydro/incident/IncidentVelocity.h"
 
-/// Sums over the panels of a hull and, if it is symmetric, their mirror images: what the two ways to
-/// integrate a wave over a panel have in common. IncidentWaveForce.cpp integrates exactly. SmallPanels.cpp,
-/// for tables of thousands of waves, takes an expansion about the centre of the panel: one exponential
-/// instead of one a corner.
+/// Sums over the panels of a hull and, if it is symmetric, their mirror images: what the two ways
+/// to integrate a wave over a panel have in common. IncidentWaveForce.cpp integrates exactly.
+/// SmallPanels.cpp, for tables of thousands of waves, takes an expansion about the centre of the
+/// panel: one exponential instead of one a corner.
 namespace cutwater {
 
 /// n_1..6 times a function on one panel.

@@ -38,8 +38,8 @@ CUTWATER_VECTOR std::array<Complex, 4> atCorners(const Panel& panel, const Eigen
   return value;
 }
 
-/// ∫ e^{κ·x} dl along an edge and ∫ s e^{κ·x} dl, s from its middle along it; h = κ·(half the edge),
-/// `from`, `to` and `middle` the values at its ends and half way.
+/// ∫ e^{κ·x} dl along an edge and ∫ s e^{κ·x} dl, s from its middle along it; h = κ·(half the
+/// edge), `from`, `to` and `middle` the values at its ends and half way.
 struct EdgeWave {
   Complex sum, moment;
 };

@@ -63,8 +63,8 @@ std::vector<double> sizes(const std::vector<double>& omega, const std::vector<do
   return result;
 }
 
-/// Part of K_jk with weights such that an error of one is one of B or ωA in its band, at the speed where
-/// that says most.
+/// Part of K_jk with weights such that an error of one is one of B or ωA in its band, at the speed
+/// where that says most.
 Response responseOf(const Spectrum& s, int j, int k, std::size_t part) {
   const auto n = static_cast<Eigen::Index>(s.omega.size());
   Response r{Eigen::VectorXcd(n), Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n),

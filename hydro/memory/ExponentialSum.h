@@ -9,14 +9,16 @@ namespace cutwater {
 
 class RetardationMatrix;
 
-/// All 36 retardation functions, at rest and under way, as sums of damped oscillations with common poles:
+/// All 36 retardation functions, at rest and under way, as sums of damped oscillations with common
+/// poles:
 ///     K⁰(τ) ≈ Re Σ_m R⁰_m e^{s_m τ},  K^U and K^UU alike with residues of their own,  Re s_m < 0
-/// so that the whole memory is one complex number for each pole and mode. Poles by vector fitting of all
-/// transforms together [Gustavsen99; Deschrijver08], at ω evenly up to the last that the data resolve and, in
-/// growing steps, ten times as far. Residues: weighted least squares with ∫K⁰ dτ = 0 and ∫K^U dτ kept
-/// exactly: a steady velocity feels no memory, A(0) and c(U) stay what they are. An error at ω is weighed
-/// against the largest of B_jk(U), and of ωA_jk(U), from ω/1.5 to 1.5 ω, at the speed of 0 to 15 m/s where it
-/// says most. Immutable. Building costs about a quarter of a second.
+/// so that the whole memory is one complex number for each pole and mode. Poles by vector fitting
+/// of all transforms together [Gustavsen99; Deschrijver08], at ω evenly up to the last that the
+/// data resolve and, in growing steps, ten times as far. Residues: weighted least squares with ∫K⁰
+/// dτ = 0 and ∫K^U dτ kept exactly: a steady velocity feels no memory, A(0) and c(U) stay what they
+/// are. An error at ω is weighed against the largest of B_jk(U), and of ωA_jk(U), from ω/1.5 to 1.5
+/// ω, at the speed of 0 to 15 m/s where it says most. Immutable. Building costs about a quarter of
+/// a second.
 class ExponentialSum {
  public:
   /// @param addedMassInf A(∞), against which errors are weighed.
@@ -56,7 +58,8 @@ class ExponentialSum {
 
 /// The memory by that sum, step by step exactly the convolution of its functions for any tick:
 ///     z_mk ← e^{s_m h} z_mk + (e^{s_m h} − 1)/s_m η̇_k,   F_j = −Re Σ_m Σ_k R_jkm(U) z_mk
-/// Stable for every tick, as |e^{s h}| < 1. State: 6 complex numbers a pole. A tick costs about 0.2 µs.
+/// Stable for every tick, as |e^{s h}| < 1. State: 6 complex numbers a pole. A tick costs about 0.2
+/// µs.
 class ExponentialMemory final : public RadiationMemory {
  public:
   /// @param sum must outlive it.  @throws HydroError ValueOutOfRange: step not positive.

@@ -9,8 +9,8 @@ namespace {
 constexpr double kEulerGamma = 0.57721566490153286;
 constexpr int kLast = kGreatestPower + 3;
 
-/// Ascending series of j_n: θⁿ/(2n+1)!! Σ_k (−θ²/2)^k / (k! (2n+3)(2n+5)…(2n+2k+1)); to θ = 8 no more
-/// than three digits cancel.
+/// Ascending series of j_n: θⁿ/(2n+1)!! Σ_k (−θ²/2)^k / (k! (2n+3)(2n+5)…(2n+2k+1)); to θ = 8 no
+/// more than three digits cancel.
 double besselTerm(int n, double theta) noexcept {
   const double x = -0.5 * theta * theta;
   double lead = 1.0, term = 1.0, sum = 1.0;

@@ -10,9 +10,9 @@ namespace cutwater {
 ///   F(t_n) = −∫₀^∞ K(U, τ) η̇(t_n − τ) dτ = −Σ_i K̄_i η̇_{n−i},   K̄_i = ∫ K over [i h, (i+1) h]
 /// η̇_n is the mean velocity over the tick that ends at t_n (in Bullet: the velocity after the
 /// solve, which moved the body over that tick), so the sum is second order in h and sees ∫K dτ
-/// exactly. K = K⁰ + U K^U + U² K^UU with the speed of now for the whole past: as U drifts the parts
-/// are weighed anew, nothing is tabulated again.
-/// Frame H; forces and moments about G. No allocation after construction. One thread at a time.
+/// exactly. K = K⁰ + U K^U + U² K^UU with the speed of now for the whole past: as U drifts the
+/// parts are weighed anew, nothing is tabulated again. Frame H; forces and moments about G. No
+/// allocation after construction. One thread at a time.
 class RadiationMemory {
  public:
   virtual ~RadiationMemory() = default;

@@ -9,9 +9,9 @@
 
 namespace cutwater {
 
-/// What all ships of one database share of their radiation: retardation functions, the fit, b/U and c/U².
-/// Made once, a quarter of a second for 60 frequencies; then immutable but for tables that are made when
-/// first asked for. Any thread may call.
+/// What all ships of one database share of their radiation: retardation functions, the fit, b/U and
+/// c/U². Made once, a quarter of a second for 60 frequencies; then immutable but for tables that
+/// are made when first asked for. Any thread may call.
 class RadiationModel {
  public:
   /// @param coefficients is not needed afterwards.

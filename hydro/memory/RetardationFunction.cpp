@@ -88,8 +88,8 @@ double legendre4(const std::array<double, 4>& q, double s) {
   return q[0] + q[1] * s + q[2] * p2 + q[3] * p3;
 }
 
-/// Legendre coefficients of q(ω)/ω over the cell c ± h, by the Gauss points of degree 15. In the first
-/// cell, from ω = 0, q/ω is a polynomial too.
+/// Legendre coefficients of q(ω)/ω over the cell c ± h, by the Gauss points of degree 15. In the
+/// first cell, from ω = 0, q/ω is a polynomial too.
 std::array<double, 8> overOmega(const std::array<double, 4>& q, double c, double h) {
   static const fourier::GaussRule<8> rule;
   std::array<double, 8> r{};

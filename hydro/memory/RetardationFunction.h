@@ -30,8 +30,8 @@ class RetardationFunction {
 
   double operator()(double tau) const noexcept;  ///< K(τ) [unit of B / s], τ ≥ 0
   double integral(double tau) const noexcept;    ///< I(τ) = ∫₀^τ K [unit of B]; 0 at ∞
-  /// E(τ) = ∫_τ^∞ I ds = (2/π)∫ B/ω² cos ωτ dω [unit of B · s]. B/ω² is taken by polynomials of degree 7
-  /// on each cell: exact in the first, to 1e-6 in the second, to round-off beyond.
+  /// E(τ) = ∫_τ^∞ I ds = (2/π)∫ B/ω² cos ωτ dω [unit of B · s]. B/ω² is taken by polynomials of
+  /// degree 7 on each cell: exact in the first, to 1e-6 in the second, to round-off beyond.
   double remaining(double tau) const noexcept;
   /// ∫₀^∞ K sin ωτ dτ [unit of B] = (2/π) P∫₀^∞ B(x) ω/(ω² − x²) dx, ω > 0 [rad/s].
   double sineTransform(double omega) const noexcept;

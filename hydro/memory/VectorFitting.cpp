@@ -61,8 +61,8 @@ std::vector<Complex> zerosOf(const std::vector<Complex>& poles, const Vector& c)
   return zeros;
 }
 
-/// One step of vector fitting: Σ c φ − H Σ c̃ φ = H in least squares for all responses; each gives what its
-/// own c leaves of the equations for the common c̃.
+/// One step of vector fitting: Σ c φ − H Σ c̃ φ = H in least squares for all responses; each gives
+/// what its own c leaves of the equations for the common c̃.
 Vector commonFactors(const Eigen::MatrixXcd& basis, const std::vector<Response>& responses) {
   const Eigen::Index n = basis.cols();
   Matrix equations(static_cast<Eigen::Index>(responses.size()) * n, n);

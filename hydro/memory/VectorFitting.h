@@ -15,12 +15,13 @@ struct Response {
   bool holdsZero = false;
 };
 
-/// Σ over columns: of a real pole 1/(iω − s); of a pair, s and s* counted once with Im s > 0, the sum and i
-/// times the difference of both, whose factors are Re and Im of half the residue R of Re{R e^{sτ}}.
+/// Σ over columns: of a real pole 1/(iω − s); of a pair, s and s* counted once with Im s > 0, the
+/// sum and i times the difference of both, whose factors are Re and Im of half the residue R of
+/// Re{R e^{sτ}}.
 Eigen::MatrixXcd rationalBasis(const std::vector<double>& omega, const std::vector<Complex>& poles);
 
-/// Poles, all in the left half plane, that fit all responses together, by vector fitting [Gustavsen &
-/// Semlyen 1999; Deschrijver et al. 2008 for many responses].
+/// Poles, all in the left half plane, that fit all responses together, by vector fitting [Gustavsen
+/// & Semlyen 1999; Deschrijver et al. 2008 for many responses].
 /// @param count  of poles, a pair counted twice; even.
 std::vector<Complex> fitPoles(const std::vector<double>& omega,
                               const std::vector<Response>& responses, std::size_t count,

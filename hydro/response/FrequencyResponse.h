@@ -9,11 +9,11 @@ namespace cutwater {
 
 /// Motions in regular waves by the frequency domain, at forward speed U:
 ///   {−ω_e²(M + A(U)) + iω_e(B(U) + B_s) + (C + C_s)} η̂ = F_I + F_D                [M03] (5)
-/// with A, B the solver's own values, interpolated in ω_e and continued above the resolved frequency, and B_s, C_s the linear supplementary
-/// terms; a quadratic roll damping is not linear and is left out. η(t) = Re{η̂ e^{iω′t}} with the
-/// signed ω′ = ω_I − kU cos β: for ω′ < 0 the equation is solved at ω_e = |ω′| for conj(F) and the
-/// answer conjugated. Below ω_e ≈ 0.1 rad/s surge, sway and yaw, which have no stiffness, grow without
-/// bound and are not theory.
+/// with A, B the solver's own values, interpolated in ω_e and continued above the resolved
+/// frequency, and B_s, C_s the linear supplementary terms; a quadratic roll damping is not linear
+/// and is left out. η(t) = Re{η̂ e^{iω′t}} with the signed ω′ = ω_I − kU cos β: for ω′ < 0 the
+/// equation is solved at ω_e = |ω′| for conj(F) and the answer conjugated. Below ω_e ≈ 0.1 rad/s
+/// surge, sway and yaw, which have no stiffness, grow without bound and are not theory.
 class FrequencyResponse {
  public:
   /// @param coefficients must outlive this object.
@@ -27,8 +27,8 @@ class FrequencyResponse {
 
   /// η̂ [m/m, rad/m] about G per metre of wave amplitude, crest over G's mean position at t = 0.
   /// @param omegaI ω_I [rad/s].  @param heading β [rad].  @param speed U [m/s].
-  /// @throws HydroError as WaveExcitation::at and atSpeed; MatrixSingular, naming the modes, if a free
-  ///         mode has no stiffness, inertia or damping at all: surge and sway at ω′ = 0.
+  /// @throws HydroError as WaveExcitation::at and atSpeed; MatrixSingular, naming the modes, if a
+  ///         free mode has no stiffness, inertia or damping at all: surge and sway at ω′ = 0.
   CVec6 at(double omegaI, double heading, double speed = 0.0) const;
 
  private:

@@ -42,9 +42,10 @@ struct Afloat {
 
 /// Lets a hull float as it lies:
 ///     const Hull hull = readHull("frigate.obj");                            // files/MeshIO.h
-///     ShipParticulars ship = afloat(panelledAsItIs(hull), {.cog = {0, 0, 1.29}, .level = true}).ship;
-/// Fills everything but the name: hull and panels, mass, centre of gravity, gyradii, volume, centre of
-/// buoyancy, C. Volume and C are those of the panels, which are what the solver sees.
+///     const Loading loading{.cog = {0, 0, 1.29}, .level = true};
+///     ShipParticulars ship = afloat(panelledAsItIs(hull), loading).ship;
+/// Fills everything but the name: hull and panels, mass, centre of gravity, gyradii, volume, centre
+/// of buoyancy, C. Volume and C are those of the panels, which are what the solver sees.
 /// @throws HydroError as hydrostatics.
 Afloat afloat(const PanelledHull& hull, const Loading& loading = {}, const Water& water = {});
 

@@ -14,8 +14,8 @@ struct Supplementary {
   double rollDampingQuadratic = 0.0;  ///< N·m/(rad/s)²
 };
 
-/// The ship as it floats at rest: hull, mass, hydrostatic stiffness. `afloat` (ship/Afloat.h) fills all
-/// of it. Lengths in hull axes: x forward, y port, z up from calm water.
+/// The ship as it floats at rest: hull, mass, hydrostatic stiffness. `afloat` (ship/Afloat.h) fills
+/// all of it. Lengths in hull axes: x forward, y port, z up from calm water.
 struct ShipParticulars {
   std::string name;
   SurfaceMesh hull;        ///< closed hull [m], normals out; empty in a plain BEMIO file
@@ -33,7 +33,8 @@ struct ShipParticulars {
 
   /// Rigid-body mass matrix about G: diag(m, m, m, m r_xx², m r_yy², m r_zz²).
   Mat6 massMatrix() const;
-  /// Of the wet surface, along and across [m]; without one the cube root of the volume and a tenth of it.
+  /// Of the wet surface, along and across [m]; without one the cube root of the volume and a tenth
+  /// of it.
   double length() const;
   double beam() const;
 };

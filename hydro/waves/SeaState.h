@@ -15,7 +15,8 @@ struct WaveComponent {
   double heading = 0.0;    ///< β [rad]: travels towards (cos β, −sin β) in E
 };
 
-/// e^{iθ} of four waves, θ = ωt − k(x cos β − y sin β) + ε: what every linear wave load is a sum over.
+/// e^{iθ} of four waves, θ = ωt − k(x cos β − y sin β) + ε: what every linear wave load is a sum
+/// over.
 struct alignas(32) Phasors4 {
   double re[4], im[4];
 };
@@ -43,8 +44,8 @@ class SeaState {
   /// Phasors of all components at time t and x, y, in their order. No allocation; O(components).
   /// @pre out.size() == phasorBlocks().
   void phasors(double t, double x, double y, std::span<Phasors4> out) const noexcept;
-  /// Velocity of the water [m/s] in E at x, y and z ≤ 0 (above calm water: that at z = 0); the linear theory
-  /// of deep water. No allocation; O(components).
+  /// Velocity of the water [m/s] in E at x, y and z ≤ 0 (above calm water: that at z = 0); the
+  /// linear theory of deep water. No allocation; O(components).
   Vec3 velocity(double t, const Vec3& place) const noexcept;
 
  private:

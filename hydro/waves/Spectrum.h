@@ -8,7 +8,7 @@ namespace cutwater {
 
 /// Wave energy spectra S(ω) [m²s] with ∫₀^∞ S dω = hs²/16.
 ///   Bretschneider     S = (5/16) hs² ω_p⁴ ω⁻⁵ e^{−(5/4)(ω_p/ω)⁴}                    [ITTC 1978]
-///   PiersonMoskowitz  the same form; ω_p = 0.4 √(g/hs) of a fully developed sea unless tp is given.
+///   PiersonMoskowitz  the same; ω_p = 0.4 √(g/hs) of a fully developed sea unless tp is given.
 ///   Jonswap           Bretschneider × γ^{exp(−(ω/ω_p − 1)²/2σ²)}, σ = 0.07 below ω_p, 0.09 above,
 ///                     normalised to hs numerically                    [Hasselmann et al. 1973]
 enum class SpectrumShape { Jonswap, Bretschneider, PiersonMoskowitz };

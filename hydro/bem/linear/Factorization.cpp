@@ -21,7 +21,8 @@ namespace {
 
 using LowComplex = std::complex<float>;
 
-// The LAPACK and BLAS routines by scalar type, column-major; _work: without a look for NaN each time.
+// The LAPACK and BLAS routines by scalar type, column-major; _work: without a look for NaN each
+// time.
 int getrf(int n, float* a, int* p) { return LAPACKE_sgetrf_work(LAPACK_COL_MAJOR, n, n, a, n, p); }
 int getrf(int n, LowComplex* a, int* p) { return luByHalves(n, a, p); }
 int getrf(int n, double* a, int* p) { return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, n, n, a, n, p); }
@@ -106,10 +107,10 @@ Factorization<Scalar>::Factorization(Matrix matrix, LowMatrix workspace)
   check(getrf(static_cast<int>(n), lu_.data(), pivots_.data()), "getrf");
 }
 
-// Columns are scaled to 1 for single precision, which has no numbers below 1e-38. A product with the
-// matrix costs as much as a solve: the first residual tells how good one solve is, the second solve is
-// taken to be four times worse. Measured on frigates with lid: 0.2 to 2 times what is expected here. The
-// norm is that of M for its transpose too, whose own is as large.
+// Columns are scaled to 1 for single precision, which has no numbers below 1e-38. A product with
+// the matrix costs as much as a solve: the first residual tells how good one solve is, the second
+// solve is taken to be four times worse. Measured on frigates with lid: 0.2 to 2 times what is
+// expected here. The norm is that of M for its transpose too, whose own is as large.
 template <typename Scalar>
 typename Factorization<Scalar>::Matrix Factorization<Scalar>::refined(char form,
                                                                       const Matrix& b) const {
@@ -152,9 +153,10 @@ typename Factorization<Scalar>::Matrix Factorization<Scalar>::solvedInDouble(cha
   return b;
 }
 
-// ‖M⁻¹‖ in the max-row-sum norm is ‖M⁻ᵀ‖₁, which an estimate from below finds in three solves: of the mean of
-// all columns, of the sum of them in which the most is in phase, taken at its greatest column; a
-// vector of alternating signs guards against cancellation. ?gecon does the same in five or more.
+// ‖M⁻¹‖ in the max-row-sum norm is ‖M⁻ᵀ‖₁, which an estimate from below finds in three solves: of
+// the mean of all columns, of the sum of them in which the most is in phase, taken at its greatest
+// column; a vector of alternating signs guards against cancellation. ?gecon does the same in five
+// or more.
 //                                                                    [Hager84] [Higham88]
 template <typename Scalar>
 double Factorization<Scalar>::condition() const {

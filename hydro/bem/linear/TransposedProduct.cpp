@@ -12,8 +12,8 @@ CUTWATER_INLINE Double4 twoOf(const Complex* from) {
   return load4(reinterpret_cast<const double*>(from));
 }
 
-/// Adds aᵀb_j over `rows` rows to c_j, j < width. `step` from column to column of B and of c. Meanwhile
-/// memory is asked for `next`, as many rows of the next column of A.
+/// Adds aᵀb_j over `rows` rows to c_j, j < width. `step` from column to column of B and of c.
+/// Meanwhile memory is asked for `next`, as many rows of the next column of A.
 template <int width>
 CUTWATER_INLINE void addDots(const Complex* a, const Complex* next, const Complex* B,
                              Eigen::Index step, Eigen::Index rows, Complex* c,

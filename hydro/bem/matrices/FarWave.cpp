@@ -74,8 +74,8 @@ FarWave::Block FarWave::blockOf(int begin, int size) const {
   return block;
 }
 
-// Blocks in groups, so that what is written with field and source exchanged goes to the same columns,
-// and pages of memory, a few times running.
+// Blocks in groups, so that what is written with field and source exchanged goes to the same
+// columns, and pages of memory, a few times running.
 void FarWave::fill(const At& at, Systems& systems) const {
   constexpr std::size_t kGroup = 8;
   const FormFactors form(pairs_, at.all, at.K);
@@ -150,8 +150,8 @@ CUTWATER_VECTOR void FarWave::weigh(const FormFactors& form, const Block& field,
 
 namespace {
 
-/// kG × (rigid + ΔS·wave) of one tile into a matrix. `step` from row to row of the matrix in the tile:
-/// 1, or WaveTile::kSide if field and source are exchanged.
+/// kG × (rigid + ΔS·wave) of one tile into a matrix. `step` from row to row of the matrix in the
+/// tile: 1, or WaveTile::kSide if field and source are exchanged.
 template <std::size_t step>
 CUTWATER_INLINE void writeColumns(const WaveTile::Column& re, const WaveTile::Column& im,
                                   const Eigen::MatrixXd& rigid, const double* area, double factor,
@@ -203,8 +203,9 @@ CUTWATER_VECTOR void FarWave::write(const Target& target, const At& at, const Wa
     put(tile.xRe, tile.xIm, part.rigidX, G, exchanged ? 1.0 : -1.0, system.H);
 }
 
-// With a, b the shares of a panel and of its mirror image, E and O the integrals of the two parities:
-// even a(E + O)/2 + b(E − O)/2, odd a(E + O)/2 − b(E − O)/2. The tiles hold a + b and a − b.
+// With a, b the shares of a panel and of its mirror image, E and O the integrals of the two
+// parities: even a(E + O)/2 + b(E − O)/2, odd a(E + O)/2 − b(E − O)/2. The tiles hold a + b and a −
+// b.
 CUTWATER_VECTOR void FarWave::writeImages(const Target& target, const At& at,
                                           const std::array<WaveTile, 2>& tiles, Parity parity,
                                           InfluenceSystem<Complex>& system) const {

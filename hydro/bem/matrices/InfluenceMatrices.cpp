@@ -214,8 +214,8 @@ void InfluenceMatrices::addFarWave(const Pair& pair, const FarWave::At& at,
   add(pair, at, sum, sumX, systems);
 }
 
-// Averaged equations have as many points on the field as on the source panel, so that both directions share
-// them; others, and settings.sourcePoints, take each direction by itself.
+// Averaged equations have as many points on the field as on the source panel, so that both
+// directions share them; others, and settings.sourcePoints, take each direction by itself.
 void InfluenceMatrices::addNearWaves(const FarWave::At& at, Systems& systems) const {
   const double K = at.K;
   const bool share = settings().sourcePoints == 0 && settings().galerkinPoints > 1;

@@ -9,8 +9,8 @@ enum class FrequencyLimit {
   Infinite
 };  ///< image +1/R₁ (rigid surface) or −1/R₁ (φ = 0 on z = 0)
 
-/// Wave number [1/m] above which the lid works: 0.9 of the least at which water in the box around the
-/// hull resonates.
+/// Wave number [1/m] above which the lid works: 0.9 of the least at which water in the box around
+/// the hull resonates.
 double lidFrom(const PanelMesh& mesh);
 
 /// What becomes of lid rows that are idle (lidShare is 0).
@@ -24,20 +24,19 @@ enum class IdleLid {
 ///     ½σ(x) + ∫ σ ∂G/∂n_x dS = v,  φ = ∫ G σ dS,  ∂φ/∂x = ½n_x σ + ∫ σ ∂G/∂x dS   (source, [M03]
 ///                                                                        (49)-(54))
 ///     G = −(1/4π)[1/R + 1/R₁ + K F(X, Y) − 2πiK e^{−Y}J₀(X)],   K = ω²/g
-/// Each equation is averaged over its panel by 4 or 9 points (Galerkin; the wave term by what the wave
-/// length asks for), or taken at its centroid.
-/// With Galerkin weights the two formulations are transposes of each other to quadrature error. 1/R
-/// and 1/R₁ are integrated exactly, once, for all frequencies; the wave term of far pairs by one
-/// evaluation and the panels' extent (FarWave.h), of pairs whose image is near by its singular part and
-/// points (NearWave.h): −2 ln((R + Y)/2) in long waves, in short ones −2/R₁, which K F becomes, so that
-/// K → ∞ is atLimit(Infinite) panel by panel. With settings.sourcePoints = 1, 4, 9 far pairs have
-/// that many Gauss points instead.
+/// Each equation is averaged over its panel by 4 or 9 points (Galerkin; the wave term by what the
+/// wave length asks for), or taken at its centroid. With Galerkin weights the two formulations are
+/// transposes of each other to quadrature error. 1/R and 1/R₁ are integrated exactly, once, for all
+/// frequencies; the wave term of far pairs by one evaluation and the panels' extent (FarWave.h), of
+/// pairs whose image is near by its singular part and points (NearWave.h): −2 ln((R + Y)/2) in long
+/// waves, in short ones −2/R₁, which K F becomes, so that K → ∞ is atLimit(Infinite) panel by
+/// panel. With settings.sourcePoints = 1, 4, 9 far pairs have that many Gauss points instead.
 ///
 /// Symmetric hulls, [M03] (57)-(60): port panels only, D_even = D_pp + D_ps, D_odd = D_pp − D_ps.
 ///
-/// Lid, the extended boundary integral equations [Lee & Sclavounos 1989, Lee, Newman & Zhu 1996], no
-/// more of it than uniqueness needs: derived in the .cpp; the solution outside is that of the hull
-/// alone, at every frequency. Immutable; any thread may call. Memory: 8(n + m)² doubles if
+/// Lid, the extended boundary integral equations [Lee & Sclavounos 1989, Lee, Newman & Zhu 1996],
+/// no more of it than uniqueness needs: derived in the .cpp; the solution outside is that of the
+/// hull alone, at every frequency. Immutable; any thread may call. Memory: 8(n + m)² doubles if
 /// symmetric, else 4; 12 and 6 with H.
 class InfluenceMatrices {
  public:
@@ -55,8 +54,8 @@ class InfluenceMatrices {
 
   /// Systems at one frequency, indexed by Parity. O((n + m)²) wave terms.
   /// @param K ω²/g [1/m] > 0.
-  /// @param workspace  matrices to be written over; those of an earlier frequency save the time in which
-  ///              the system finds memory.
+  /// @param workspace matrices to be written over; those of an earlier frequency save the time in
+  ///              which the system finds memory.
   std::array<InfluenceSystem<Complex>, 2> atWaveNumber(
       double K, IdleLid idle = IdleLid::Drop,
       std::array<InfluenceSystem<Complex>, 2> workspace = {}) const;

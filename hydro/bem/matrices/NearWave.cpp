@@ -97,8 +97,8 @@ WavePoint::WavePoint(double K, double X, double Y) {
 // whose limit K → ∞ is the rest system with φ = 0 on z = 0, panel by panel.
 namespace {
 
-/// Pairs of points whose wave terms are worked out together. Filled up to a multiple of four with pairs
-/// of no weight.
+/// Pairs of points whose wave terms are worked out together. Filled up to a multiple of four with
+/// pairs of no weight.
 struct Seen {
   static constexpr std::size_t kMost = 64;
   using Column = Column4<kMost>;

@@ -18,14 +18,14 @@ struct NearImage {
   double logAlong = 0.0;      ///< ∫ e_h·∇_ξ ln ρ dS [m], e_h the horizontal part of e
 };
 
-/// A source panel and its quarters, their quarters and so on with Gauss points on each, made when first
-/// asked for: for many field points. One thread.
+/// A source panel and its quarters, their quarters and so on with Gauss points on each, made when
+/// first asked for: for many field points. One thread.
 class QuarteredPanel {
  public:
   explicit QuarteredPanel(const Panel& panel);
   const Panel& panel() const { return panel_; }
-  /// Adds `log` and `logAlong`, quartered until each part is smaller than its distance from the image of x, `depth`
-  /// times at most; the 4 × 4 rule then leaves less than 1e-5 of a logarithm.
+  /// Adds `log` and `logAlong`, quartered until each part is smaller than its distance from the
+  /// image of x, `depth` times at most; the 4 × 4 rule then leaves less than 1e-5 of a logarithm.
   void addLog(const Vec3& x, const Vec3& along, int depth, NearImage& sum);
 
  private:
@@ -65,11 +65,11 @@ CUTWATER_INLINE Number inverseShare(Number perR) {
   return 1.0 / (1.0 + square * square);
 }
 
-/// What is left of the wave term without its singular part, over two panels: sums over the points of both
-/// with their weights [m⁴] of
+/// What is left of the wave term without its singular part, over two panels: sums over the points
+/// of both with their weights [m⁴] of
 ///   smooth F + 2 ln((R + Y)/2),  rest F + 2/R,  oscillation e^{−Y}J₀
-/// and of their derivatives by K times the source point, `up` against z. One evaluation of the wave term a pair
-/// of points serves both ways: it depends on the horizontal distance and on z + ζ only.
+/// and of their derivatives by K times the source point, `up` against z. One evaluation of the wave
+/// term a pair of points serves both ways: it depends on the horizontal distance and on z + ζ only.
 struct NearSums {
   struct Horizontal {
     double x = 0.0, y = 0.0;
@@ -86,8 +86,8 @@ struct NearSums {
   NearSums exchanged(bool mirrored) const;
 };
 
-/// Averaged over the field panel, with the singular part exact: the share w of −2/R₁, which is what K F
-/// becomes in short waves, else −2 ln((R + Y)/2).
+/// Averaged over the field panel, with the singular part exact: the share w of −2/R₁, which is what
+/// K F becomes in short waves, else −2 ln((R + Y)/2).
 /// @param along  direction e of the derivative.  @param fieldArea of the points in `sums` [m²].
 WaveIntegral nearWave(const NearSums& sums, double fieldArea, const NearImage& image,
                       const Vec3& along, double K);

@@ -36,8 +36,8 @@ struct Pair {
 class PanelPairs {
  public:
   static constexpr int kMostPoints = 4;  ///< per side of a panel
-  /// Images nearer than this many panel diameters (the greater of both) take the split wave term: one
-  /// point and second moments there would be off by 1e-3 and more.
+  /// Images nearer than this many panel diameters (the greater of both) take the split wave term:
+  /// one point and second moments there would be off by 1e-3 and more.
   static constexpr double kNearRatio = 1.5;
 
   /// @throws HydroError BadArgument for points that are not 1, 4 or 9 (sourcePoints: or 0), or H
@@ -69,7 +69,8 @@ class PanelPairs {
   /// horizontal part changes with the variable (source).
   Vec3 direction(const Pair& pair) const;
 
-  /// The image of the field panel in z = 0 lies nearer than kNearRatio diameters; so does it seen the other way.
+  /// The image of the field panel in z = 0 lies nearer than kNearRatio diameters; so does it seen
+  /// the other way.
   bool isNear(const Pair& pair) const;
 
   /// Gauss points a side of `panel` for a wave seen from `from`, wave number K: as many as the

@@ -4,24 +4,24 @@
 
 namespace cutwater {
 
-/// Pairs of two blocks of panels whose wave terms are worked out together, member by member; all of it
-/// stays in the processor's nearest caches. Place kSide·source + field.
+/// Pairs of two blocks of panels whose wave terms are worked out together, member by member; all of
+/// it stays in the processor's nearest caches. Place kSide·source + field.
 struct WaveTile {
   static constexpr std::size_t kSide = 16, kPairs = kSide * kSide;
   struct alignas(64) Column : std::array<double, kPairs> {};
   struct alignas(64) Edge : std::array<double, kSide> {};
 
-  /// The panels of one block: centroids, diameters, normals, mean products of the distances from the
-  /// centroid. Horizontally the points of field panels count backwards: their nx, ny, xz, yz have the
-  /// other sign. Places behind the last panel hold it again.
+  /// The panels of one block: centroids, diameters, normals, mean products of the distances from
+  /// the centroid. Horizontally the points of field panels count backwards: their nx, ny, xz, yz
+  /// have the other sign. Places behind the last panel hold it again.
   struct Panels {
     Edge x, y, z, size, nx, ny, nz, xx, xy, yy, xz, yz, zz;
   };
 
   // In.
   const Panels *source = nullptr, *field = nullptr;  ///< field panels, or their mirror images
-  // By place(), and what the caller makes of it: ê horizontal unit vector from the field panel to the
-  // source panel.
+  // By place(), and what the caller makes of it: ê horizontal unit vector from the field panel to
+  // the source panel.
   Column ex, ey;
   Column X, Y, R1;  ///< K·(distance along ê), −K(z + ζ), distance to the image in z = 0 [m]
   Column active;    ///< 1, or 0: the results are 0

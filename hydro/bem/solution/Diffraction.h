@@ -5,7 +5,8 @@
 namespace cutwater {
 
 /// Force of a diffracted wave, per metre of amplitude, crest over G, on a ship at speed U:
-///     F_D = ω_e F^ω + U F^U,   F^ω = ρ∫ iφ_D n_j dS,   F^U = −ρ∫ ∂φ_D/∂x n_j dS      [M03] (88)-(91)
+///     F_D = ω_e F^ω + U F^U,   F^ω = ρ∫ iφ_D n_j dS,   F^U = −ρ∫ ∂φ_D/∂x n_j dS
+///                                                                              [M03] (88)-(91)
 struct DiffractionParts {
   CVec6 omega = CVec6::Zero();  ///< F^ω
   CVec6 speed = CVec6::Zero();  ///< F^U; zero if not asked for
@@ -33,8 +34,8 @@ template <typename Scalar>
 AdjointVectors adjointVectors(const SymmetricSystem<Scalar>& system, const ModeNormals& normals,
                               double density, const XDerivative* stokes = nullptr);
 
-/// Σ over both sides of b_jᵀ v for v = n_k, row j, column k, 0 between modes of different parity: of
-/// b_j it is −iZ (impulseMatrix), of b^x_j ∂Z (impulseMatrixX), the same numbers without another
+/// Σ over both sides of b_jᵀ v for v = n_k, row j, column k, 0 between modes of different parity:
+/// of b_j it is −iZ (impulseMatrix), of b^x_j ∂Z (impulseMatrixX), the same numbers without another
 /// solution.
 CMat6 forcesOnUnitMotions(const ModeVectors& b, const ModeNormals& normals);
 

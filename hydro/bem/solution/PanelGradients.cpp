@@ -8,8 +8,8 @@
 namespace cutwater {
 namespace {
 
-/// Neighbours that turn by more than 60° lie beyond an edge of the hull, where ∇φ jumps. A round bilge
-/// of few panels turns by up to 45° from one to the next.
+/// Neighbours that turn by more than 60° lie beyond an edge of the hull, where ∇φ jumps. A round
+/// bilge of few panels turns by up to 45° from one to the next.
 constexpr double kCrease = 0.5;
 
 }  // namespace
@@ -66,7 +66,8 @@ std::vector<PanelGradients::Neighbour> PanelGradients::neighboursOf(int one) con
 }
 
 /// Least squares over slopes: the direction to each neighbour is turned into the panel's plane, its
-/// distance kept, and each counts alike. Directions nearly in one line give the slope along that line.
+/// distance kept, and each counts alike. Directions nearly in one line give the slope along that
+/// line.
 PanelGradients::Gradient PanelGradients::gradientOf(int one) const {
   constexpr double kOneLine = 0.05;  // [rad]
   Gradient gradient{neighboursOf(one), {}};

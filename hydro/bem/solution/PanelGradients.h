@@ -6,10 +6,10 @@
 
 namespace cutwater {
 
-/// Gradients along the panels of a function that has one value a panel, by least squares through the
-/// neighbours across its edges: second order on panels of any shape. Neighbours beyond a crease of 60°
-/// do not count; across the centreline of a half hull a panel's mirror image does. Immutable; keeps
-/// references to both meshes.
+/// Gradients along the panels of a function that has one value a panel, by least squares through
+/// the neighbours across its edges: second order on panels of any shape. Neighbours beyond a crease
+/// of 60° do not count; across the centreline of a half hull a panel's mirror image does.
+/// Immutable; keeps references to both meshes.
 class PanelGradients {
  public:
   /// Another panel, or the mirror image of one.
@@ -18,7 +18,8 @@ class PanelGradients {
     bool isImage;
     Vec3 away;  ///< from the panel's centroid to its own [m]
   };
-  /// g = Σ column × (value of that neighbour − value of the panel), columns in the panel's plane [1/m].
+  /// g = Σ column × (value of that neighbour − value of the panel), columns in the panel's plane
+  /// [1/m].
   struct Gradient {
     std::vector<Neighbour> neighbours;
     Eigen::Matrix3Xd columns;

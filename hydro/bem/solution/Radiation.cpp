@@ -38,7 +38,8 @@ Eigen::Matrix<double, 3, 6> slopes(const Panel& panel, const CurvedPatch& patch,
   return slope;
 }
 
-/// Weights w_j with w_jᵀφ = ∫φ n_j dS over the curved patches, φ linear on each: φ ∫n_j dS + ∇φ·∫s n_j dS.
+/// Weights w_j with w_jᵀφ = ∫φ n_j dS over the curved patches, φ linear on each: φ ∫n_j dS + ∇φ·∫s
+/// n_j dS.
 Rows curvedWeights(const PanelMesh& mesh, const Vec3& cog, const PanelGradients& gradients) {
   Rows weights = Rows::Zero(static_cast<Eigen::Index>(mesh.panels.size()), 6);
   const Eigen::RowVectorXd image = (Eigen::RowVectorXd(6) << 1, -1, 1, -1, 1, -1).finished();

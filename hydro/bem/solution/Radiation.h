@@ -6,9 +6,10 @@ namespace cutwater {
 /// Generalised normals n_1..n_6 about G and areas of the hull panels, and the weights with which a
 /// potential of one value a panel is integrated against them: one row a panel.
 ///     w_jᵀ φ = ∫ φ n_j dS
-/// On flat panels w_j = n_j ΔS. Over curved ones (PanelMesh::patches) n_j varies, and so does φ, linear
-/// on each panel (PanelGradients.h): w_j has ∫n_j dS of the patch, and ∇φ times the first moment of n_j
-/// carried to the neighbours. By reciprocity the same w_j are the flux of a motion through the panels.
+/// On flat panels w_j = n_j ΔS. Over curved ones (PanelMesh::patches) n_j varies, and so does φ,
+/// linear on each panel (PanelGradients.h): w_j has ∫n_j dS of the patch, and ∇φ times the first
+/// moment of n_j carried to the neighbours. By reciprocity the same w_j are the flux of a motion
+/// through the panels.
 struct ModeNormals {
   /// n_{1..3} = n, n_{4..6} = (r − r_G) × n at the centroid. Panels count as flat.
   ModeNormals(const PanelMesh& mesh, const Vec3& cog);

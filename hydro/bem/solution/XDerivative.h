@@ -9,9 +9,9 @@ namespace cutwater {
 ///     (∂φ/∂x) dS = n_x v dS + (Tφ),   (Tφ)_i = Σ_edges φ_edge (e × n_i)_x
 /// e the edge counter-clockwise about n. φ_edge is the mean at the edge's middle of the linear φ of
 /// the panels that share it, φ + g·(x − centroid), g the gradient along the panel by least squares
-/// through its neighbours (none beyond a crease of 60°): second order on panels of any shape, at the
-/// waterline and at other loose edges too, where it extrapolates. On y = 0 of a half hull φ_edge is 0
-/// for odd potentials, and a panel there has its mirror image for a neighbour.
+/// through its neighbours (none beyond a crease of 60°): second order on panels of any shape, at
+/// the waterline and at other loose edges too, where it extrapolates. On y = 0 of a half hull
+/// φ_edge is 0 for odd potentials, and a panel there has its mirror image for a neighbour.
 class XDerivative {
  public:
   /// @param wet the mesh `mesh` was made from: its shared vertices say which panels are neighbours.

@@ -9,7 +9,7 @@ class RadiationMemory;
 class RadiationModel;
 
 /// What answers a ship's own motion, but for −A^∞η̈, which acts through the engine's solver:
-///     F(t) = −∫₀^∞ K(U, τ) η̇(t − τ) dτ − b(U) η̇ − c(U) η                    [M03] (30), (33), (41)-(45)
+///     F(t) = −∫₀^∞ K(U, τ) η̇(t − τ) dτ − b(U) η̇ − c(U) η            [M03] (30), (33), (41)-(45)
 /// The memory takes TickInput::etaDot, the mean over the tick just ended; b takes etaDotNow.
 ///
 /// On a course that follows the ship the terms with U would create energy: Munk's moment turns a

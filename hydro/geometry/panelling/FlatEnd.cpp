@@ -121,8 +121,8 @@ class EndRows {
   SurfaceMesh& mesh_;
 };
 
-/// The outline closed along calm water, or by the centreline and calm water, counter-clockwise about the
-/// end's normal.
+/// The outline closed along calm water, or by the centreline and calm water, counter-clockwise
+/// about the end's normal.
 std::vector<int> closedOutline(std::vector<int> outline, bool aft, double size, SurfaceMesh& mesh) {
   const auto add = [&](const Vec3& p) {
     mesh.vertices.push_back(p);

@@ -47,8 +47,8 @@ class FlatTriangles {
             outline, kFromOutline * size);
   }
 
-  /// Turns the common edge of two triangles where that makes the worse of them better, or the better if
-  /// the worse stays.
+  /// Turns the common edge of two triangles where that makes the worse of them better, or the
+  /// better if the worse stays.
   void improve() {
     bool changed = true;
     for (int pass = 0; changed && pass < kEarPasses; ++pass) {
@@ -118,8 +118,8 @@ class FlatTriangles {
     return all;
   }
 
-  /// Around both triangles, beginning with the corner of the first that is not the other's; none (−1) if
-  /// they no longer touch.
+  /// Around both triangles, beginning with the corner of the first that is not the other's; none
+  /// (−1) if they no longer touch.
   Face quadrilateral(int first, int second) const {
     const Face &a = faces_[static_cast<std::size_t>(first)],
                &b = faces_[static_cast<std::size_t>(second)];

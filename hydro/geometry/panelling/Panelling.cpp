@@ -17,12 +17,13 @@
 namespace cutwater {
 namespace {
 
-// Mean panel edges along and across the sections: longer where there would be fewer than kEnoughRows
-// from calm water to the keel, as it is across that hulls are curved. The uppermost row is so much
-// narrower that its panels are 2.4 times as long as deep amidships.
+// Mean panel edges along and across the sections: longer where there would be fewer than
+// kEnoughRows from calm water to the keel, as it is across that hulls are curved. The uppermost row
+// is so much narrower that its panels are 2.4 times as long as deep amidships.
 constexpr double kLeastRatio = 1.2, kUsualRatio = 1.6, kEnoughRows = 10.0, kUppermostRatio = 2.4;
-// Longer still, step by step, where too much volume is lacking: as a fraction, times the panels a side.
-// They may be kLongest times as long as deep; crowding towards calm water and the ends makes room.
+// Longer still, step by step, where too much volume is lacking: as a fraction, times the panels a
+// side. They may be kLongest times as long as deep; crowding towards calm water and the ends makes
+// room.
 constexpr double kMostRatio = 2.4, kLonger = 1.06, kMostLacking = 0.0045 * 1040, kLongest = 2.7;
 constexpr double kLeastWaterCrowding = 0.05, kLeastEndCrowding = 0.1, kMostEndCrowding = 0.2;
 constexpr double kMostStretched = 0.045;
@@ -102,8 +103,8 @@ class HullPanels {
     SurfaceMesh all;
     for (const SectionStrand& strand : strands_)
       all = joined(all, panelsOn(strand, *cutter_, sizeOf(girthwise)));
-    // An end that runs along calm water or along the centreline may be off by the roughness of the mesh,
-    // and the tip of a waterline lies a little above where the stem's section begins.
+    // An end that runs along calm water or along the centreline may be off by the roughness of the
+    // mesh, and the tip of a waterline lies a little above where the stem's section begins.
     all = snapped(std::move(all), 2, 0.02 * girthwise);
     if (symmetric_) all = snapped(std::move(all), 1, 0.02 * girthwise);
     all = welded(all, 1e-3 * girthwise);

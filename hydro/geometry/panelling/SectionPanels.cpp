@@ -120,8 +120,8 @@ class StrandPanels {
     return best;
   }
 
-  /// Knuckles of each section; a soft one counts beside a section with a sharp one, so that a fading
-  /// chine is followed.
+  /// Knuckles of each section; a soft one counts beside a section with a sharp one, so that a
+  /// fading chine is followed.
   std::vector<std::vector<double>> rowCorners(const std::vector<SectionCurve>& curves) const {
     std::vector<bool> sharp;
     for (const SectionCurve& c : curves)
@@ -149,8 +149,8 @@ class StrandPanels {
     return counts;
   }
 
-  /// So short that no panel ends in it; a loop may be longer, as its ends need not stay on calm water
-  /// or on the centreline.
+  /// So short that no panel ends in it; a loop may be longer, as its ends need not stay on calm
+  /// water or on the centreline.
   bool isPoint(const SectionCurve& curve) const {
     return curve.length() < (curve.closed ? 0.6 : 0.02) * size_.girthwise;
   }

@@ -92,8 +92,8 @@ class Sampler {
   std::vector<Sample> all_;
 };
 
-/// The section of a bow with a bulb is one curve, ahead of the stem only the bulb's: where one strand ends
-/// and another begins along a part of its section, the shorter is the longer's guest.
+/// The section of a bow with a bulb is one curve, ahead of the stem only the bulb's: where one
+/// strand ends and another begins along a part of its section, the shorter is the longer's guest.
 void findGuests(std::vector<SectionStrand>& strands, double apart, double reach) {
   for (SectionStrand& aft : strands)
     for (SectionStrand& fore : strands) {

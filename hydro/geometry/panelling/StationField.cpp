@@ -103,16 +103,16 @@ void lean(std::vector<double>& station, const SurfaceMesh& wet, const EndPlane& 
   for (const int v : end.vertices) station[static_cast<std::size_t>(v)] = atWater;
 }
 
-/// How a hull ends below one end of its waterline: raked, or bulging out as a sphere does that is sunk
-/// deeper than its centre.
+/// How a hull ends below one end of its waterline: raked, or bulging out as a sphere does that is
+/// sunk deeper than its centre.
 struct Stem {
   double tip = 0.0;    ///< x of the waterline's end [m]
   double reach = 0.0;  ///< how far from there stations lean [m]
   double slope = 0.0;  ///< dx/dz of the plane through the tip with the hull on one side; 0: upright
 };
 
-/// The slope that the upper part of the hull has, unless the lower reaches out farther (a bulb) or the keel
-/// rises to calm water.
+/// The slope that the upper part of the hull has, unless the lower reaches out farther (a bulb) or
+/// the keel rises to calm water.
 Stem stemAt(const SurfaceMesh& wet, double side) {
   const Bounds box = bounds(wet);
   double tip = -1e300, otherTip = 1e300, upper = -1e300, all = -1e300;  // outwards; per depth

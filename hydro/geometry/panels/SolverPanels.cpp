@@ -171,8 +171,8 @@ Eigen::Matrix3d bendOf(const Frame& frame, const Paraboloid& surface) {
 }
 
 /// Vector areas of the patches over the faces: those of the faces, and along each edge e the sliver
-/// ⅔ s × e up to the arc of the surface above it, s the arc's height over the middle. What a face gains
-/// its neighbour loses: the sum over all is that within the arcs of the waterline.
+/// ⅔ s × e up to the arc of the surface above it, s the arc's height over the middle. What a face
+/// gains its neighbour loses: the sum over all is that within the arcs of the waterline.
 class PatchAreas {
  public:
   /// @param panels unmoved, with the bends of their patches.

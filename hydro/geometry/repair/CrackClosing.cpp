@@ -64,7 +64,8 @@ void addDivided(const Face& f, const OpenEdge& e, const std::vector<int>& on, Su
   mesh.faces.push_back({{from, e.to, tip, -1}});
 }
 
-/// Two faces on the same corners the other way round enclose nothing: both go. Of two alike one stays.
+/// Two faces on the same corners the other way round enclose nothing: both go. Of two alike one
+/// stays.
 SurfaceMesh withoutFolds(const SurfaceMesh& mesh) {
   std::map<std::array<int, 3>, std::vector<std::size_t>> faces;
   for (std::size_t k = 0; k < mesh.faces.size(); ++k) {

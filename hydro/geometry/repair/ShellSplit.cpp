@@ -22,7 +22,8 @@ CutPlane planeOf(const Triangle& t) {
   return {(t[1] - t[0]).cross(t[2] - t[0]).normalized(), t[0]};
 }
 
-/// From where to where, along a direction, a triangle lies in a plane; empty if it does not cross it.
+/// From where to where, along a direction, a triangle lies in a plane; empty if it does not cross
+/// it.
 struct Range {
   double from = 1e300, to = -1e300;
   void add(double s) {

@@ -16,8 +16,8 @@ constexpr double kBowEnd = 6.225;          // s where the keel line reaches the 
 constexpr double kSternStart = 81.8271;    // s where the keel line begins to rise
 constexpr double kDeckFullest = 64.74;     // s of the broadest deck station
 constexpr double kStationCrowding = 0.42;  // stations closer together at the ends, spacedAtEnds
-// Rows closer together towards calm water, spacedAtStart: the pressure of short waves goes as z ln z
-// there, and half the depth of the uppermost panels halves the error of A(∞).
+// Rows closer together towards calm water, spacedAtStart: the pressure of short waves goes as z ln
+// z there, and half the depth of the uppermost panels halves the error of A(∞).
 constexpr double kWaterlineCrowding = 0.6;
 
 /// One transverse section; s [m] aft of the forward perpendicular.

@@ -14,8 +14,8 @@ namespace {
 constexpr int kStemStrips = 2;
 constexpr double kLoftCrowding = 0.42;  // stations closer together at the ends, spacedAtEnds
 
-/// Slopes of the monotone cubic through (t, f): the weighted harmonic mean of the neighbours' where they
-/// agree in sign, else 0.
+/// Slopes of the monotone cubic through (t, f): the weighted harmonic mean of the neighbours' where
+/// they agree in sign, else 0.
 std::vector<double> monotoneSlopes(const std::vector<double>& t, const std::vector<double>& f) {
   const std::size_t n = t.size();
   std::vector<double> secant(n - 1), slope(n);
