@@ -4,7 +4,8 @@
 #   - a circle of files (X.h and X.cpp count as one), anywhere,
 #   - a circle of folders,
 #   - a folder `detail` looked into from outside the folder that it lies in (tests may).
-# Own headers are included by their full path from the root, in quotes; everything else in angle brackets.
+# Own headers are included by their full path from the root, in quotes; everything else in angle
+# brackets.
 #   cmake [-D ROOT=tree] -P tests/layers.cmake
 cmake_minimum_required(VERSION 3.25)
 if(NOT DEFINED ROOT)
@@ -12,7 +13,8 @@ if(NOT DEFINED ROOT)
 endif()
 
 # 1. Own folders: what each may include besides itself, the headers beside the folders of hydro/
-# (Conventions.h, Errors.h) and hydro/base. One that has no row of its own takes that of the folder it lies in.
+# (Conventions.h, Errors.h) and hydro/base. One that has no row of its own takes that of the folder
+# it lies in.
 set(geometry hydro/geometry hydro/geometry/panels)  # what layers above geometry may see of it
 set(may_hydro "")
 set(may_hydro/base "")
@@ -35,12 +37,15 @@ set(may_hydro/bem/solution ${geometry} hydro/waves hydro/incident hydro/bem/sett
                            hydro/bem/matrices hydro/bem/linear)
 set(may_hydro/bem/drift     ${may_hydro/bem/solution} hydro/bem/solution hydro/ship hydro/database)
 set(may_hydro/bem/reference ${may_hydro/bem/drift})
-set(may_hydro/bem           ${may_hydro/bem/reference} hydro/green hydro/bem/drift hydro/bem/reference)
+set(may_hydro/bem           ${may_hydro/bem/reference} hydro/green hydro/bem/drift
+                            hydro/bem/reference)
 set(may_hydro/memory   hydro/database)
-set(may_hydro/finish   ${geometry} hydro/waves hydro/incident hydro/ship hydro/database hydro/memory)
+set(may_hydro/finish   ${geometry} hydro/waves hydro/incident hydro/ship hydro/database
+                       hydro/memory)
 set(may_hydro/solve    ${geometry} hydro/ship hydro/database hydro/memory hydro/finish hydro/bem
                        hydro/bem/settings)
-set(may_hydro/forces   ${geometry} hydro/waves hydro/ship hydro/database hydro/excitation hydro/memory)
+set(may_hydro/forces   ${geometry} hydro/waves hydro/ship hydro/database hydro/excitation
+                       hydro/memory)
 set(may_hydro/forces/linear      ${may_hydro/forces} hydro/incident hydro/forces)
 set(may_hydro/forces/nonlinear   ${may_hydro/forces} hydro/geometry/wetted hydro/forces)
 set(may_hydro/forces/drift       ${may_hydro/forces} hydro/forces)
@@ -57,15 +62,16 @@ set(plugin_tests "tests/(plugin|verification|consumer|bench|demos)(/.+)?")
 # Parts of the load: no file of these folders includes another of the same folder.
 set(parts "hydro/forces/(linear|nonlinear|drift|manoeuvring|appendages)")
 
-# 2. Libraries: a pattern of the header, and a pattern of the files that may include it. A header that
-# no row names must be one of the C++ standard's, which have neither a folder nor an ending.
+# 2. Libraries: a pattern of the header, and a pattern of the files that may include it. A header
+# that no row names must be one of the C++ standard's, which have neither a folder nor an ending.
 set(libraries
   "Eigen/.+"                            ".*"
   "unsupported/Eigen/.+"                ".*"
   "assimp/.+"                           "hydro/files/.+"
   "(hdf5|H5.+)\\.h"                     "(hydro|tests)/database/.+"
   "(lapacke|cblas)\\.h"                 "(hydro/bem/linear|tests/bench)/.+"
-  "(bt[A-Z]|Bullet[A-Z]|LinearMath/).+" "(plugin|demos|tests/(plugin|verification|consumer|bench|demos))/.+"
+  "(bt[A-Z]|Bullet[A-Z]|LinearMath/).+"
+                    "(plugin|demos|tests/(plugin|verification|consumer|bench|demos))/.+"
   "(CLI/CLI\\.hpp|toml\\+\\+/toml\\.h)" "(demos|tests)/.+"
   "fmt/.+\\.h"                          "((hydro|plugin)/.+\\.cpp|(demos|tests)/.+)"
   "gtest/.+|gmock/.+"                   "tests/.+"

@@ -1,5 +1,5 @@
-# layers.cmake must refuse what it is there to refuse: plants a few includes at a time in a small tree,
-# wrong ones and right ones of each kind.
+# layers.cmake must refuse what it is there to refuse: plants a few includes at a time in a small
+# tree, wrong ones and right ones of each kind.
 #   cmake -D WORK=scratch folder -P tests/style/layers_refuse.cmake
 cmake_minimum_required(VERSION 3.25)
 set(layers ${CMAKE_CURRENT_LIST_DIR}/../layers.cmake)
@@ -7,14 +7,16 @@ set(layers ${CMAKE_CURRENT_LIST_DIR}/../layers.cmake)
 # Writes includes into a fresh tree, FILE HEADER pairs, and sets `refused`.
 function(try refused)
   file(REMOVE_RECURSE ${WORK})
-  foreach(there hydro/Errors.h hydro/base/Simd.h hydro/geometry/SurfaceMesh.h hydro/geometry/detail/Inner.h
-                hydro/geometry/panels/PanelMesh.h hydro/geometry/panelling/Panelling.h
-                hydro/geometry/repair/MeshRepair.h hydro/waves/Wave.h hydro/green/WaveTerm.h
-                hydro/incident/PanelWave.h hydro/bem/BuildCoefficients.h hydro/bem/linear/Factorization.h
-                hydro/bem/matrices/NearWave.h hydro/database/Coefficients.h hydro/excitation/WaveExcitation.h
-                hydro/memory/Convolution.h hydro/finish/Finish.h hydro/forces/ForceGenerator.h
-                hydro/forces/linear/Radiation.h hydro/files/MeshIO.h hydro/response/Response.h
-                plugin/Ship.h demos/cutwater/input/Toml.h tests/support/Hulls.h)
+  foreach(there hydro/Errors.h hydro/base/Simd.h hydro/geometry/SurfaceMesh.h
+                hydro/geometry/detail/Inner.h hydro/geometry/panels/PanelMesh.h
+                hydro/geometry/panelling/Panelling.h hydro/geometry/repair/MeshRepair.h
+                hydro/waves/Wave.h hydro/green/WaveTerm.h hydro/incident/PanelWave.h
+                hydro/bem/BuildCoefficients.h hydro/bem/linear/Factorization.h
+                hydro/bem/matrices/NearWave.h hydro/database/Coefficients.h
+                hydro/excitation/WaveExcitation.h hydro/memory/Convolution.h
+                hydro/finish/Finish.h hydro/forces/ForceGenerator.h hydro/forces/linear/Radiation.h
+                hydro/files/MeshIO.h hydro/response/Response.h plugin/Ship.h
+                demos/cutwater/input/Toml.h tests/support/Hulls.h)
     file(WRITE ${WORK}/${there} "#pragma once\n")
   endforeach()
   set(rest ${ARGN})
@@ -75,7 +77,8 @@ expect_refused(${may_not} demos/A.cpp          "\"tests/support/Hulls.h\"")
 expect_refused(${may_not} tests/waves/A.cpp    "\"plugin/Ship.h\"")
 expect_refused("no such file" hydro/waves/A.cpp "\"Wave.h\"")
 expect_refused("folder detail" hydro/incident/A.cpp "\"hydro/geometry/detail/Inner.h\"")
-expect_refused("do not know each other" hydro/forces/linear/A.cpp "\"hydro/forces/linear/Radiation.h\"")
+expect_refused("do not know each other"
+               hydro/forces/linear/A.cpp "\"hydro/forces/linear/Radiation.h\"")
 
 # Libraries.
 set(only "may include it")
@@ -96,12 +99,15 @@ expect_refused("cannot read" hydro/waves/A.cpp "WAVE_HEADER")
 # Circles. A source counts as its header.
 expect_refused("a circle of files: hydro/waves/A -> hydro/waves/B -> hydro/waves/A"
                hydro/waves/A.h "\"hydro/waves/B.h\"" hydro/waves/B.h "\"hydro/waves/A.h\"")
-expect_refused("a circle of files" hydro/waves/A.h "\"hydro/Errors.h\"" hydro/waves/A.cpp "\"hydro/waves/B.h\""
+expect_refused("a circle of files" hydro/waves/A.h "\"hydro/Errors.h\""
+               hydro/waves/A.cpp "\"hydro/waves/B.h\""
                hydro/waves/B.h "\"hydro/Errors.h\"" hydro/waves/B.cpp "\"hydro/waves/C.h\""
                hydro/waves/C.h "\"hydro/waves/A.h\"")
 expect_refused("a circle of files" plugin/A.h "\"plugin/B.h\"" plugin/B.h "\"plugin/A.h\"")
-expect_refused("a circle of files" tests/waves/A.h "\"tests/waves/B.h\"" tests/waves/B.h "\"tests/waves/A.h\"")
-expect_refused("a circle of folders: demos/cutwater/input -> demos/cutwater/output -> demos/cutwater/input"
+expect_refused("a circle of files"
+               tests/waves/A.h "\"tests/waves/B.h\"" tests/waves/B.h "\"tests/waves/A.h\"")
+set(demo demos/cutwater)
+expect_refused("a circle of folders: ${demo}/input -> ${demo}/output -> ${demo}/input"
                demos/cutwater/input/A.cpp "\"demos/cutwater/output/B.h\""
                demos/cutwater/output/B.h "\"hydro/Errors.h\""
                demos/cutwater/output/C.cpp "\"demos/cutwater/input/Toml.h\"")

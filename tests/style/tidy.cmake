@@ -1,7 +1,7 @@
-# clang-tidy as .clang-tidy says over the sources of the libraries, each once: plugin/ is compiled for
-# two precisions, but is the same code. The files of a folder are read as one, since most of the work
-# is in Eigen's and Bullet's headers. Where two of them use one name for two things, which they may, that
-# does not compile: the folder is then read file by file.
+# clang-tidy as .clang-tidy says over the sources of the libraries, each once: plugin/ is compiled
+# for two precisions, but is the same code. The files of a folder are read as one, since most of the
+# work is in Eigen's and Bullet's headers. Where two of them use one name for two things, which they
+# may, that does not compile: the folder is then read file by file.
 #   cmake -D ROOT=tree -D BUILD=folder -D RUN_CLANG_TIDY=program -D JOBS=n -P tidy.cmake
 cmake_minimum_required(VERSION 3.25)
 file(READ ${BUILD}/compile_commands.json commands)
@@ -25,8 +25,9 @@ if(NOT seen)
   message(FATAL_ERROR "no source of hydro/ or plugin/ is compiled in ${BUILD}")
 endif()
 
-# Appends to the list of commands `chosen` the one that reads all `files` as the one source `name`: that of the
-# first of them, with the source in that file's place. GCC's precompiled headers say nothing to Clang.
+# Appends to the list of commands `chosen` the one that reads all `files` as the one source `name`:
+# that of the first of them, with the source in that file's place. GCC's precompiled headers say
+# nothing to Clang.
 function(read_as_one name files)
   list(GET files 0 first)
   string(JSON entry GET "${commands}" ${entry_of_${first}})
@@ -43,8 +44,8 @@ function(read_as_one name files)
   set(chosen "${chosen}" PARENT_SCOPE)
 endfunction()
 
-# Runs the commands `chosen`; sets `said` and `result`. Clang reads GCC's command lines. Its own warnings are
-# off (-w): GCC's have been errors already.
+# Runs the commands `chosen`; sets `said` and `result`. Clang reads GCC's command lines. Its own
+# warnings are off (-w): GCC's have been errors already.
 function(run_tidy)
   file(WRITE ${BUILD}/tidy/compile_commands.json "${chosen}")
   execute_process(COMMAND ${RUN_CLANG_TIDY} -quiet -p ${BUILD}/tidy -j ${JOBS} -extra-arg=-w
