@@ -25,8 +25,8 @@ void checkMass(const ShipParticulars& ship, double mass) {
   if (miss > kTolerance * displaced && miss > before * (1.0 + 1e-9)) {
     refuse(Fault::ValueOutOfRange,
            fmt::format(
-               "mass = {:.9g} kg: she displaces {:.9g} kg ({:+.2f} %); another draught is another "
-               "wetted surface, solve again with it",
+               "mass = {:.9g} kg: the ship displaces {:.9g} kg ({:+.2f} %); another draught is "
+               "another wetted surface, solve again with it",
                mass, displaced, 100.0 * (mass / displaced - 1.0)));
   }
 }
@@ -42,7 +42,7 @@ void checkCentre(const ShipParticulars& ship, const Vec3& cog) {
       refuse(Fault::ValueOutOfRange,
              fmt::format(
                  "cog {} = {:.6g} m: the centre of buoyancy is at {:.6g} m, more than 0.1 % of "
-                 "{:.4g} m away; she would {}, solve again with that wetted surface",
+                 "{:.4g} m away; the ship would {}, solve again with that wetted surface",
                  axis == 0 ? "x" : "y", cog[axis], ship.centreOfBuoyancy[axis], extent,
                  axis == 0 ? "trim" : "heel"));
     }

@@ -23,12 +23,12 @@ constexpr double kBasisError =
     1e-4;  // of the largest adjoint vector: what directions may leave out
 constexpr std::size_t kVectorNodes = 128;  // of ω_e
 
-/// Phase of a wave at the ends of a ship against her middle [rad].
+/// Phase of a wave at the ends of a ship against its middle [rad].
 double reachOf(double omega, double length, double gravity) {
   return 0.5 * length * omega * omega / gravity;
 }
 
-/// [rad] from node to node: waves shorter than the ship push her less and less, and may be as much
+/// [rad] from node to node: waves shorter than the ship push it less and less, and may be as much
 /// coarser.
 double phaseStep(double reach) { return kPhaseStep * std::sqrt(std::max(1.0, reach / 8.0)); }
 

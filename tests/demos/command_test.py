@@ -335,7 +335,8 @@ class Unfinished(Files):
 
     def solve(self, omega):
         database = self.path("u.h5")
-        done = call("solve", self.path("s.toml", SHIP + f"[solve]\nomega = {omega}\n"), "-o", database)
+        ship = self.path("s.toml", SHIP + f"[solve]\nomega = {omega}\n")
+        done = call("solve", ship, "-o", database)
         self.assertEqual(done.returncode, 0, done.stderr)
         return database, done.stderr
 
@@ -360,7 +361,8 @@ class Unfinished(Files):
         self.assertEqual([row["omega"] for row in rows[::36]], ["0", "0.8", "inf"])
         whole = {row["omega"]: row for row in table("coefficients", DATABASE)[14::36]}  # j = k = 3
         for name in ("A", "B"):
-            self.assertAlmostEqual(float(rows[36 + 14][name]) / float(whole["0.8"][name]), 1, delta=1e-8)
+            ratio = float(rows[36 + 14][name]) / float(whole["0.8"][name])
+            self.assertAlmostEqual(ratio, 1, delta=1e-8)
         for command in ("excitation", "rao"):
             rows = table(command, database, "--heading", "150")
             self.assertEqual({row["omega"] for row in rows}, {"0.8"})
@@ -369,7 +371,8 @@ class Unfinished(Files):
 
     def test_steps_too_coarse_are_said_with_the_step_that_would_do(self):
         database, said = self.solve("{ from = 0.2, to = 4.0, step = 0.2 }")
-        self.assertIn("steps of 0.2 rad/s are too coarse, 0.1 rad/s (0.36 sqrt(g/L)) would do", said)
+        self.assertIn("steps of 0.2 rad/s are too coarse, 0.1 rad/s (0.36 sqrt(g/L)) would do",
+                      said)
         self.refused_in_time(database, "0.2 rad/s")
         rows = table("rao", database, "--heading", "150", "--omega", "0.6:0.8:2")
         self.assertTrue(all(math.isfinite(float(row["amplitude"])) for row in rows))

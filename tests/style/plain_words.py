@@ -1,27 +1,25 @@
-"""plain_words.py ROOT: words that a newcomer stumbles over. A ship is "it".
-
-Quotations from other people's titles are left alone by keeping the list short.
-"""
+"""plain_words.py ROOT: words that a newcomer stumbles over. A ship is "it"."""
 import re
 import sys
 
 import tree
 
+# Words: (endings of the files, what to do instead).
 WORDS = {
-    r"she|hers?|herself": "a ship is \"it\"",
-    r"not installed": "say who includes it, or put it where its folder says so",
+    r"she|hers?|herself": (tree.CODE + tree.SCRIPTS + tree.PROSE, "a ship is \"it\""),
+    r"not installed": ((".h",), "the folder or the CMake list says so"),
 }
 
 
 def faults(root):
-    rules = [(re.compile(rf"\b({words})\b", re.IGNORECASE), why) for words, why in WORDS.items()]
-    for path in tree.files(root, tree.CODE + tree.SCRIPTS + tree.PROSE):
-        if path.startswith("tests/style/"):
-            continue
-        for number, line in enumerate(tree.read(root, path).split("\n"), 1):
-            for rule, why in rules:
+    for words, (endings, instead) in WORDS.items():
+        rule = re.compile(rf"\b({words})\b", re.IGNORECASE)
+        for path in tree.files(root, endings):
+            if path.startswith("tests/style/"):
+                continue
+            for number, line in enumerate(tree.read(root, path).split("\n"), 1):
                 for word in rule.findall(line):
-                    yield f"{path}:{number}: \"{word}\": {why}"
+                    yield f"{path}:{number}: \"{word}\": {instead}"
 
 
 if __name__ == "__main__":

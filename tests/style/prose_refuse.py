@@ -31,7 +31,8 @@ WRONG = (
     "`lit_*.cpp`",
     "LidIdentity.IsRound", "`LitIdentity.*`", "`LidIdentity.Was…`", "20 radii (kNearRadii)",
     "`RankinePanel::width`", "`RankinPanel`", "`./run test --whole`", "decision 0003",
-    "`far_ratio_of`", "`CUTWATER_NO_SUCH`", "\n```cpp\nRankinPanel lid;\n```\n", "\n    RankinPanel lid;\n")
+    "`far_ratio_of`", "`CUTWATER_NO_SUCH`",
+    "\n```cpp\nRankinPanel lid;\n```\n", "\n    RankinPanel lid;\n")
 
 
 def planted(check, path, text):

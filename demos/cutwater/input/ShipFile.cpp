@@ -173,14 +173,13 @@ void warnIfUnbalanced(const std::string& path, const ShipFile& ship) {
       std::abs(lever.y()) > 1e-3 * ship.hydrostatics.beam) {
     warn(
         fmt::format("{}: [mass] cog is not above the centre of buoyancy ({:+.3f} m forward, "
-                    "{:+.3f} m to port): "
-                    "she would trim or heel",
+                    "{:+.3f} m to port): the ship would trim or heel",
                     path, lever.x(), lever.y()));
   }
   for (const auto& [gm, name] :
        {std::pair{ship.hydrostatics.gmT, "gm_t"}, std::pair{ship.hydrostatics.gmL, "gm_l"}}) {
     if (gm <= 0.0)
-      warn(fmt::format("{}: {} = {:.3f} m: she is not stable upright", path, name, gm));
+      warn(fmt::format("{}: {} = {:.3f} m: the ship is not stable upright", path, name, gm));
   }
 }
 

@@ -43,7 +43,7 @@ struct WaveTile {
   void drop(std::size_t fieldPlace, std::size_t sourcePlace, double K);
   void evaluate(double K);
 
-  /// From a hull and her mirror image to even and odd: (a, b) → (a + b, a − b) of every result.
+  /// From a hull and its mirror image to even and odd: (a, b) → (a + b, a − b) of every result.
   static void toParities(WaveTile& a, WaveTile& b);
 
  private:

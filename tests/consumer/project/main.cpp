@@ -1,6 +1,6 @@
 // A ship in a user's own Bullet program: consumer_float SPHERE.h5
-// Lifted by h and let go, the sphere starts to fall with (C33 h - F) / (m + A33(inf)), F a load of the
-// user's own.
+// Lifted by h and let go, the sphere starts to fall with (C33 h - F) / (m + A33(inf)), F a load of
+// the user's own.
 #include <btBulletDynamicsCommon.h>
 
 #include <cmath>

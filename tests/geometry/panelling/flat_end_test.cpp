@@ -12,7 +12,8 @@
 namespace cutwater {
 namespace {
 
-/// Corners of half an end, from calm water down the port side to the centreline, in the plane x = 3.
+/// Corners of half an end, from calm water down the port side to the centreline, in the plane
+/// x = 3.
 struct EndCorner {
   double y, z;
 };

@@ -113,7 +113,8 @@ TEST(SectionPanelsIdentity, ASunkBodyIsClosed) {
 TEST(SectionPanelsIdentity, AHullAlikeForeAndAftHasItsPanelsSo) {
   for (const SurfaceMesh& wet : {wetBox({30, 8, 3, 1}, 6, 2, 3), wetHemisphere(10.0, 60, 30)}) {
     const SurfaceMesh panels = strandPanels(wet, {1.0, 1.5, 0.1, 0.1});
-    // The same number of panels and the same volume on either side of midships, to the place of corners.
+    // The same number of panels and the same volume on either side of midships, to the place of
+    // corners.
     EXPECT_NEAR(volumeIntegrals(panels).moment.x() / volumeIntegrals(panels).volume, 0.0, 1e-3);
     int fore = 0, aft = 0;
     for (const Face& f : panels.faces) {

@@ -26,8 +26,8 @@ void expectFollowed(const SectionStrand& strand, double reach) {
   }
 }
 
-/// Port half of a wedge 20 m long and 4 m deep whose lower half goes on for 5 m: a bow with a bulb. The
-/// half breadth falls by 0.1 a metre; the bulb's top is level.
+/// Port half of a wedge 20 m long and 4 m deep whose lower half goes on for 5 m: a bow with a bulb.
+/// The half breadth falls by 0.1 a metre; the bulb's top is level.
 SurfaceMesh bulbousWedge() {
   const auto breadth = [](double x) { return 0.1 * (20 - x); };
   const auto lower = [](double x) { return 0.1 * (25 - x); };
@@ -71,7 +71,8 @@ TEST(SectionStrands, SamplesAreDenserWhereTheSectionMovesFast) {
     ASSERT_EQ(strands.size(), 1u);
     expectFollowed(strands[0], reach);
   }
-  // At the ends of 20 m radius grows as the root of the distance: equal steps of 0.125 m move by 1.6 m.
+  // At the ends of 20 m radius grows as the root of the distance: equal steps of 0.125 m move by
+  // 1.6 m.
   EXPECT_GT(strandsOf(ball, 0.1)[0].place.size(), 2 * strandsOf(ball, 20.0)[0].place.size());
 }
 

@@ -10,7 +10,8 @@
 namespace cutwater {
 namespace {
 
-/// A box whose stern leans: x = −L/2 + rake z at the stern, blending into the box amidships. 40 × 8 × 4 m.
+/// A box whose stern leans: x = −L/2 + rake z at the stern, blending into the box amidships.
+/// 40 × 8 × 4 m.
 SurfaceMesh rakedBox(double rake) {
   SurfaceMesh box = bothHalves(wetBox({40, 8, 4, 1}, 20, 4, 4));
   for (Vec3& p : box.vertices)
@@ -18,7 +19,8 @@ SurfaceMesh rakedBox(double rake) {
   return box;
 }
 
-/// Half ellipsoid whose ends lean out by `rake` a metre of depth, in proportion to the distance from midships.
+/// Half ellipsoid whose ends lean out by `rake` a metre of depth, in proportion to the distance
+/// from midships.
 SurfaceMesh rakedEllipsoid(double rake) {
   SurfaceMesh hull = bothHalves(wetHalfEllipsoid({20, 3, 2}, 40, 8));
   for (Vec3& p : hull.vertices) p.x() *= 1 + rake * p.z() / 20;

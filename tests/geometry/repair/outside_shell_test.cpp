@@ -22,8 +22,8 @@ bool saidOfShell(const OutsideShell& shell, const std::string& words) {
   });
 }
 
-/// Closed below water, normals out, and this volume. The tolerance is round-off, or where shells were
-/// split the distance at which corners are made one, 1e-6 of the size, times the surface.
+/// Closed below water, normals out, and this volume. The tolerance is round-off, or where shells
+/// were split the distance at which corners are made one, 1e-6 of the size, times the surface.
 void expectShell(const OutsideShell& shell, double volume, double tolerance = 1e-12) {
   EXPECT_EQ(test::openEdgesBelowWater(shell.mesh), 0);
   EXPECT_NEAR(volumeIntegrals(shell.mesh).volume, volume, tolerance * volume);
@@ -84,7 +84,8 @@ TEST(OutsideShell, ASurfaceWithoutAnInsideIsRefused) {
       [&] { outsideShell(plate, "plate.obj"); });
 }
 
-// A chamber that only a shaft of 1 m² leads to: most of its walls see no water, and nothing crosses.
+// A chamber that only a shaft of 1 m² leads to: most of its walls see no water, and nothing
+// crosses.
 TEST(OutsideShell, AShellThatHidesItselfIsRefused) {
   std::vector<std::array<int, 3>> body = test::cells({0, 0, -9}, {9, 9, 0});
   std::erase_if(body, [](const std::array<int, 3>& c) {
@@ -98,8 +99,8 @@ TEST(OutsideShell, AShellThatHidesItselfIsRefused) {
                       [&] { outsideShell(hull, "hull.obj"); });
 }
 
-// Four faces from calm water to one point: rays from their inner sides go up to the waterplane and meet
-// the face that they left.
+// Four faces from calm water to one point: rays from their inner sides go up to the waterplane and
+// meet the face that they left.
 TEST(OutsideShell, AShallowHullOfFewFacesIsNoPlate) {
   const SurfaceMesh raft{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, -0.1}},
                          {{{0, 4, 1, -1}}, {{1, 4, 2, -1}}, {{2, 4, 3, -1}}, {{3, 4, 0, -1}}}};
