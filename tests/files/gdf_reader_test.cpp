@@ -93,8 +93,8 @@ TEST(GdfReader, RecordsThatDoNotHoldAreRefused) {
 
 // The count is held against the bytes there are: no memory is taken for panels that are not there.
 TEST(GdfReader, ACountBeyondTheFilesBytesIsRefusedAtOnce) {
-  expectGdfRefusal(gdfOfOnePanel("1 9.8", "0 0", "100"),
-                   {"line 4: NPAN is 100", "more than the file can hold"});
+  expectGdfRefusal(gdfOfOnePanel("1 9.8", "0 0", "10"),
+                   {"line 4: NPAN is 10.", "more than the file can hold"});
 }
 
 TEST(GdfReader, NoPanelsAndInfiniteVerticesHaveFaultsOfTheirOwn) {

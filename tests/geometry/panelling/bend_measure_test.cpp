@@ -32,7 +32,7 @@ TEST(BendMeasureClosedForm, AlongAStraightLineItIsTheLength) {
 
 // The turn between n chords is (n − 1)/n of the whole: at the ends there is none to be seen.
 TEST(BendMeasureClosedForm, ATurnOfOneRadianCountsAsFourTenthsOfAPanel) {
-  for (const double size : {0.1, 0.5, 2.0})
+  for (const double size : {0.1, 0.5, 2.0, 50.0})
     for (const double angle : {0.5, kPi / 2, kPi}) {
       const double length = 3.0 * angle;
       const int n = std::max(2, static_cast<int>(std::ceil(length / (0.15 * size))));
@@ -62,6 +62,8 @@ TEST(BendMeasureIdentity, ItDoesNotMatterWhereTheCurveBegins) {
   const BendMeasure a(curve, {corner}, size),
       b(curveThrough(points), {curve.length() - corner}, size);
   EXPECT_NEAR(a.total(), b.total(), 1e-9);  // round-off of turns near zero, see above
+  EXPECT_NEAR(b.arcAt(b.corners()[0]), curve.length() - corner, 1e-9);  // behind all bends
+  EXPECT_NEAR(a.corners()[0] + b.corners()[0], a.total(), 1e-9);
   for (const double part : {0.1, 0.35, 0.8})
     EXPECT_NEAR(a.arcAt(part * a.total()), curve.length() - b.arcAt((1 - part) * b.total()), 1e-9);
 }

@@ -12,8 +12,7 @@
 namespace cutwater {
 namespace {
 
-/// Corners of half an end, from calm water down the port side to the centreline, in the plane
-/// x = 3.
+/// Corners of half an end in the plane x = 3, from calm water down the port side to the centreline.
 struct EndCorner {
   double y, z;
 };
@@ -167,6 +166,17 @@ TEST(FlatEnd, WhereNothingIsEnclosedThereAreNoPanels) {
   SurfaceMesh point{{{3, 0, 0}}, {}};
   addFlatEnd({0}, true, 1.0, point);
   EXPECT_TRUE(point.faces.empty());
+}
+
+TEST(FlatEndIdentity, AForwardEndIsAnAfterEndTurnedOver) {
+  for (const double size : {0.5, 1.0})
+    for (const EndOutline& half : {roundEnd(4, 4), EndOutline{{4, 0}, {4, -3}, {0, -3}},
+                                   EndOutline{{4, 0}, {3, -2}, {0, -3}}}) {
+      SurfaceMesh aft = outlineMesh(half, size), forward = aft;
+      addFlatEnd(allVertices(aft), true, size, aft);
+      addFlatEnd(allVertices(forward), false, size, forward);
+      EXPECT_TRUE(test::sameFaces(turnedOver(aft), forward)) << size;
+    }
 }
 
 TEST(FlatEndIdentity, FacesOfTheMeshStayAndComeFirst) {

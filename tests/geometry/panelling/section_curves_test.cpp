@@ -68,8 +68,7 @@ TEST(SectionCurves, ACornerIsWhereTheLineTurnsWithinTheWindow) {
   EXPECT_EQ(cornersOf(fold, 0.5, 3.0), (std::vector<double>{3.0}));  // back on itself
 }
 
-// Chords of w before and behind a point of a circle of radius R make an angle of 2 asin(w/2R) or
-// so.
+// Arcs of w before and behind a point of a circle of radius R have chords at an angle of w/R.
 TEST(SectionCurvesClosedForm, ABendCountsWhereItsRadiusIsSmall) {
   std::vector<Vec3> points;
   for (int i = 0; i <= 1000; ++i)

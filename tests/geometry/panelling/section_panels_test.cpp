@@ -7,7 +7,9 @@
 #include "hydro/geometry/SurfaceTree.h"
 #include "hydro/geometry/panelling/PanelQuality.h"
 #include "hydro/geometry/panelling/SectionPanels.h"
+#include "hydro/geometry/shapes/ShapeGrid.h"
 #include "hydro/geometry/shapes/Shapes.h"
+#include "hydro/geometry/shapes/Spacing.h"
 #include "tests/support/Hulls.h"
 #include "tests/support/Meshes.h"
 
@@ -102,6 +104,22 @@ TEST(SectionPanels, ASectionThatShrinksToNothingEndsInOnePoint) {
   EXPECT_GE(triangles, 2);
 }
 
+// A sunk spindle whose ends are loops of 0.2 m radius, 1.25 m round: 0.6 of a panel edge of 2.1 m.
+TEST(SectionPanels, ASmallLoopEndsInOnePointToo) {
+  const SurfaceMesh spindle = gridSurface(uniform(40), uniform(24), [](double u, double v) -> Vec3 {
+    const double r = 0.2 + 2 * std::sin(kPi * u), angle = 2 * kPi * v;
+    return {20 * u, 3 + r * std::cos(angle), -5 + r * std::sin(angle)};
+  });
+  const auto atEnd = [&](double girthwise) {
+    int there = 0;
+    for (const Vec3& p : strandPanels(spindle, {girthwise, 2.4, 0.1, 0.1}).vertices)
+      there += p.x() > 19.999 ? 1 : 0;
+    return there;
+  };
+  EXPECT_EQ(atEnd(2.2), 1);
+  EXPECT_GE(atEnd(1.9), 3);  // a loop needs corners
+}
+
 TEST(SectionPanelsIdentity, ASunkBodyIsClosed) {
   const SurfaceMesh ball = test::moved(closedSphere(5.0, 48, 24), {0, 0, -8});
   const SurfaceMesh panels = strandPanels(ball, {0.8, 1.0, 0.1, 0.1});
@@ -113,8 +131,7 @@ TEST(SectionPanelsIdentity, ASunkBodyIsClosed) {
 TEST(SectionPanelsIdentity, AHullAlikeForeAndAftHasItsPanelsSo) {
   for (const SurfaceMesh& wet : {wetBox({30, 8, 3, 1}, 6, 2, 3), wetHemisphere(10.0, 60, 30)}) {
     const SurfaceMesh panels = strandPanels(wet, {1.0, 1.5, 0.1, 0.1});
-    // The same number of panels and the same volume on either side of midships, to the place of
-    // corners.
+    // As many panels and as much volume on either side of midships, to the place of corners.
     EXPECT_NEAR(volumeIntegrals(panels).moment.x() / volumeIntegrals(panels).volume, 0.0, 1e-3);
     int fore = 0, aft = 0;
     for (const Face& f : panels.faces) {

@@ -71,8 +71,8 @@ TEST(SectionStrands, SamplesAreDenserWhereTheSectionMovesFast) {
     ASSERT_EQ(strands.size(), 1u);
     expectFollowed(strands[0], reach);
   }
-  // At the ends of 20 m radius grows as the root of the distance: equal steps of 0.125 m move by
-  // 1.6 m.
+  // Near its ends a section's radius grows as the root of the distance: 160 equal steps begin with
+  // one of 1.6 m.
   EXPECT_GT(strandsOf(ball, 0.1)[0].place.size(), 2 * strandsOf(ball, 20.0)[0].place.size());
 }
 
@@ -129,8 +129,9 @@ TEST(SectionStrandsIdentity, TurnedEndForEndTheStrandsAreTheSame) {
 }
 
 TEST(SectionStrands, WhatIsSmallerThanAThirdOfTheReachIsLeftOut) {
-  const SurfaceMesh hull = bothHalves(wetBox({20, 8, 3, 1}, 5, 2, 3)),
-                    knob = test::moved(closedSphere(0.1, 12, 6), {4, 0, -8});
+  const SurfaceMesh hull = bothHalves(wetBox({20, 8, 3, 1}, 5, 2, 3));
+  SurfaceMesh knob = closedSphere(0.1, 12, 6);
+  for (Vec3& p : knob.vertices) p = {20 * p.x(), p.y(), p.z() - 8};  // so long that samples meet it
   const double girth = 2 * kPi * 0.1;
   EXPECT_EQ(strandsOf(joined(hull, knob), 3.1 * girth).size(), 1u);
   EXPECT_EQ(strandsOf(joined(hull, knob), 0.5 * girth).size(), 2u);

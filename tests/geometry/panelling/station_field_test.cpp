@@ -10,8 +10,7 @@
 namespace cutwater {
 namespace {
 
-/// A box whose stern leans: x = −L/2 + rake z at the stern, blending into the box amidships.
-/// 40 × 8 × 4 m.
+/// A box of 40 × 8 × 4 m whose stern leans, x = −20 + rake z, and what is aft of midships with it.
 SurfaceMesh rakedBox(double rake) {
   SurfaceMesh box = bothHalves(wetBox({40, 8, 4, 1}, 20, 4, 4));
   for (Vec3& p : box.vertices)
@@ -19,8 +18,7 @@ SurfaceMesh rakedBox(double rake) {
   return box;
 }
 
-/// Half ellipsoid whose ends lean out by `rake` a metre of depth, in proportion to the distance
-/// from midships.
+/// Half ellipsoid whose ends lean by `rake` a metre of depth, and what lies between in proportion.
 SurfaceMesh rakedEllipsoid(double rake) {
   SurfaceMesh hull = bothHalves(wetHalfEllipsoid({20, 3, 2}, 40, 8));
   for (Vec3& p : hull.vertices) p.x() *= 1 + rake * p.z() / 20;

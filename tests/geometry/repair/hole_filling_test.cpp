@@ -75,13 +75,18 @@ TEST(HoleFillingClosedForm, ARoundHoleIsAsWideAsItsDiameter) {
   EXPECT_TRUE(openEdges(cone).empty());  // also that the faces agree
 }
 
+// Whichever of them is followed first.
 TEST(HoleFilling, HolesThatTouchInAVertexAreTwo) {
-  SurfaceMesh barge =
-      withoutFacesAt(openBarge(), {{2.5, 0.5, -3}, {3.5, -0.5, -3}, {6.5, 1.5, -3}});
-  const std::vector<FilledHole> holes = fillHoles(barge, 1.5, "barge");
-  EXPECT_EQ(holes.size(), 3u);
-  for (const FilledHole& h : holes) EXPECT_NEAR(h.width, 1.0, 1e-14);
-  expectBarge(barge);
+  for (const double side : {1.0, -1.0})
+    for (const bool mixed : {false, true}) {
+      SurfaceMesh barge = withoutFacesAt(
+          openBarge(), {{2.5, 0.5 * side, -3}, {3.5, -0.5 * side, -3}, {4.5, 0.5 * side, -3}});
+      if (mixed) barge = test::shuffled(barge);
+      const std::vector<FilledHole> holes = fillHoles(barge, 1.5, "barge");
+      EXPECT_EQ(holes.size(), 3u);
+      for (const FilledHole& h : holes) EXPECT_NEAR(h.width, 1.0, 1e-14);
+      expectBarge(barge);
+    }
 }
 
 TEST(HoleFilling, AHoleRoundAnEdgeKeepsTheSurfaceClosed) {

@@ -84,8 +84,7 @@ TEST(OutsideShell, ASurfaceWithoutAnInsideIsRefused) {
       [&] { outsideShell(plate, "plate.obj"); });
 }
 
-// A chamber that only a shaft of 1 m² leads to: most of its walls see no water, and nothing
-// crosses.
+// A chamber that only a shaft of 1 m² leads to: most of its walls see no water; nothing crosses.
 TEST(OutsideShell, AShellThatHidesItselfIsRefused) {
   std::vector<std::array<int, 3>> body = test::cells({0, 0, -9}, {9, 9, 0});
   std::erase_if(body, [](const std::array<int, 3>& c) {

@@ -26,8 +26,8 @@ SurfacePatch wholePatch(const SurfaceMesh& mesh, bool turned = false) {
   return patch;
 }
 
-// Under a convex hull nothing is in the way of a ray that goes down, and the sides see the water
-// all around but for what goes up and then back over the hull.
+// Under a convex hull nothing is in the way of a ray that goes down, and its sides see the water
+// all around but for rays that go up and then back to the hull.
 TEST(OutsideView, AConvexHullIsSeenFromOutsideOnly) {
   const SurfaceMesh barge = sightBarge();
   const OutsideView view(barge);
@@ -76,8 +76,7 @@ TEST(OutsideView, WhatIsInsideIsHidden) {
   EXPECT_NEAR(view.of(shell).hiddenArea, 6.0 / 90.0, 1.0 / 90.0);  // of 90 faces that are asked
 }
 
-// A deck under calm water is inside though nothing lies above it: its rays end in the hull's
-// waterplane.
+// A deck under calm water is inside though nothing lies above it: its rays end in the waterplane.
 TEST(OutsideView, WhatLiesUnderTheWaterplaneIsInside) {
   SurfaceMesh barge = sightBarge();
   const int deck = static_cast<int>(barge.faces.size()),

@@ -18,8 +18,7 @@ SurfaceMesh square(const Vec3& u, const Vec3& v, const Vec3& at = Vec3(0, 0, -3)
 
 const Vec3 kX = Vec3::UnitX(), kY = Vec3::UnitY(), kZ = Vec3::UnitZ();
 
-/// Area of the faces that lie on the side of this normal of a plane through a point; none may
-/// straddle.
+/// Area of the faces on the side of this normal of a plane through a point; none may lie on both.
 double areaBeside(const SurfaceMesh& mesh, const Vec3& normal, const Vec3& point) {
   double area = 0.0;
   for (const Face& f : mesh.faces) {
