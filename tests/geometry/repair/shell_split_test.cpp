@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hydro/geometry/HullShells.h"
+#include "hydro/geometry/MeshEdges.h"
 #include "hydro/geometry/MeshIntegrals.h"
 #include "hydro/geometry/repair/ShellSplit.h"
 #include "tests/support/Hulls.h"
