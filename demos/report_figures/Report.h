@@ -49,8 +49,8 @@ SolveSettings ours(const Job& job);
 /// The report's: sources, ∂φ/∂x = Hσ, fixed Gauss points, no lid.
 SolveSettings reports(const Job& job, int sourcePoints, int galerkinPoints);
 
-/// Δ r_jj² √(g/L), r = 1 m for translations: what the report divides B_jj and U∂A_jj by [N s/m,
-/// N m s].
+/// Δ r_jj² √(g/L), r = 1 m for translations: what the report divides B_jj and U∂A_jj by [N s/m, N m
+/// s].
 double dampingUnit(const ShipParticulars& ship, int mode);
 
 /// Processor time of all threads since it was made [s].
@@ -79,8 +79,8 @@ void writeFigures7To12(const Job& job, const std::vector<Sweeps>& sweeps);
 void writeFigures15To20(const Job& job, const std::vector<Sweeps>& sweeps);
 /// And differences.csv: how far the four means of Influence are from Direct, and their times.
 void writeFigures21To24(const Job& job, const Sweeps& medium);
-/// Retardation functions K⁰_jj, U K^U_jj, U² K^UU_jj over 20 s, report's form, in units of
-/// Δ r_jj² g/L.
+/// Retardation functions K⁰_jj, U K^U_jj, U² K^UU_jj over 20 s, report's form, in units of Δ r_jj²
+/// g/L.
 void writeFigures25To30(const Job& job, const Sweeps& medium);
 
 }  // namespace cutwater::report

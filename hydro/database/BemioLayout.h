@@ -4,10 +4,9 @@
 
 #include "hydro/database/Coefficients.h"
 #include "hydro/database/Hdf5.h"
-#include "hydro/database/ImpulseResponse.h"
 
 /// The root groups of a database file, in the layout that WEC-Sim's BEMIO defines and SEA-Stack
-/// (HydroChrono) reads. Internal to hydro/database.
+/// (HydroChrono) reads.
 ///
 /// Stored × factor = dimensional: added mass ρ; damping ρω; K ρ; excitation and its impulse
 /// response ρg; restoring ρg. Waves travel towards wave_dir, counter-clockwise from +x: wave_dir =

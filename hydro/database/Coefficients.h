@@ -6,6 +6,11 @@
 #include "hydro/base/EnumNames.h"
 #include "hydro/ship/ShipParticulars.h"
 
+/// One ship's hydrodynamic coefficients:
+///     const Coefficients ship = readCoefficients("ship.h5");  // or solve
+///     ship.addedMass[i](Heave, Pitch);                        // A_35 at ship.omega[i]
+///     ship.addedMass.atInfinity(Heave, Heave);                // A_33(∞)
+///     atSpeed(ship, omega, speed, ship.forwardSpeed).damping  // at any ω and U: ForwardSpeed.h
 namespace cutwater {
 
 /// Where the numbers come from.
@@ -34,6 +39,13 @@ struct DiffractionTable {
   const CVec6& at(std::size_t speed, std::size_t heading, std::size_t frequency) const {
     return values[(speed * headings.size() + heading) * waveOmega.size() + frequency];
   }
+};
+
+/// K(iΔτ), i = 0, 1, …: retardation functions for programs that read them from the file
+/// (solve/Solve.h).
+struct ImpulseResponse {
+  double step = 0.0;         ///< Δτ [s]
+  std::vector<Mat6> values;  ///< [unit of B / s]
 };
 
 /// A quantity over frequency: its values at the grid's frequencies (`Coefficients::omega`) and its
@@ -97,7 +109,7 @@ struct CoefficientTables {
   /// asked for; increasing, within the range of `omega`. Empty: `omega` itself.
   std::vector<double> waveOmega;
 
-  /// ∂A, ∂B: the x-derivative integrals of theory section 1; empty if not computed.
+  /// ∂A, ∂B: integrals of the potentials' x-derivatives, [M03] (24)-(29); empty if not computed.
   OverFrequency<Mat6> addedMassX, dampingX;
 
   /// Wave excitation per metre of wave amplitude, crest over the mean position of G at t = 0.
@@ -105,10 +117,10 @@ struct CoefficientTables {
   std::vector<std::vector<CVec6>> froudeKrylov;  ///< [heading][frequency]
   std::vector<std::vector<CVec6>> diffraction;   ///< [heading][frequency]
 
-  /// Adjoint vectors, 6 × panels: F^ω_j = Σ_i b_j,i v_i and F^U_j = Σ_i b^x_j,i v_i over all
-  /// panels, v = −∂φ_I/∂n, its mean over each panel; of a symmetric hull the port panels, to be
-  /// used with twice the even (j = 1, 3, 5) or odd part of v.
-  ///     F_D = ω_e F^ω + U F^U                                              [M03] (88)-(91)
+  /// Adjoint vectors, 6 × panels: F_D = ω_e F^ω + U F^U with                     [M03] (88)-(91)
+  ///     F^ω_j = Σ_i b_j,i v_i,   F^U_j = Σ_i b^x_j,i v_i
+  /// over all panels, v = −∂φ_I/∂n, its mean over each panel. Of a symmetric hull they are those of
+  /// the port panels, to be used with twice the even (j = 1, 3, 5) or odd part of v.
   ///     b_j = iρ Rᵀ L⁻ᵀ w_j,   b^x_j = −ρ(n_x∘w_j + Rᵀ L⁻ᵀ Tᵀ n_j)
   /// At ω_e = 0 the free surface is rigid, at ω_e = ∞ φ = 0 on it. Empty if not computed.
   using AdjointVectors = Eigen::Matrix<Complex, 6, Eigen::Dynamic>;
@@ -153,8 +165,7 @@ inline constexpr EnumNames<3> kCoefficientStatusNames{"given", "finished", "unfi
 
 struct SolverOutput;
 
-/// All that solver and time domain share, and what a database file holds. Obtained from
-/// `readCoefficients` (CoefficientsFile.h) or `solve` (solve/Solve.h); immutable once made.
+/// All that solver and time domain share, and what a database file holds. Immutable once made.
 struct Coefficients : CoefficientTables {
   Coefficients() = default;
 

@@ -2,11 +2,13 @@
 #include "hydro/database/Coefficients.h"
 #include "hydro/database/Hdf5.h"
 
-/// The group /cutwater of a database file: everything of `Coefficients`, dimensional, in our own
-/// conventions, to the last bit. Internal to hydro/database.
+/// The group /cutwater of a database file: all of `Coefficients`, dimensional, in our own
+/// conventions, to the last bit.
 namespace cutwater {
 
-/// 2: 0.1.0. 3: status. Every change raises it.
+/// Every change of the group's datasets raises the version
+/// (tests/database/cutwater_group_test.cpp). 2: version 0.1.0 of Cutwater. 3: status and
+/// unfinished_because.
 inline constexpr std::int64_t kFormatVersion = 3, kOldestFormatVersion = 2;
 
 void writeCutwaterGroup(hdf5::Writer& writer, const Coefficients& coefficients);
@@ -19,7 +21,7 @@ Coefficients readCutwaterGroup(const hdf5::Reader& reader, std::int64_t version)
 void checkFinite(const Coefficients& coefficients, const std::string& where);
 
 /// Refuses numbers that are not finite, a mask other than 0 and 1, sizes that do not match,
-/// frequencies that do not increase.
+/// frequencies that do not increase, a status that the numbers contradict.
 /// @param where begins the message: a function or a file.
 /// @throws HydroError ValueOutOfRange, FrequenciesNotIncreasing, DatabaseIncomplete,
 ///         MeshIndexOutOfRange.

@@ -3,8 +3,10 @@
 
 namespace cutwater {
 
-/// A and B of a ship under way, from those at rest. With Z = B + iωA, ∂Z = ∂B + iω∂A, u = U/ω,
-/// T_53 = 1, T_62 = −1 (all else 0) and S = I + iuT both forms are
+/// A and B of a ship under way:
+///     const SpeedCoefficients at8 = atSpeed(coefficients, omegaE, 8.0, usableForm(coefficients));
+/// With Z = B + iωA, ∂Z = ∂B + iω∂A at rest, u = U/ω, T_53 = 1, T_62 = −1 (all else 0) and S = I +
+/// iuT both forms of the forward-speed terms are
 ///     Z(U) = (Z⁰ + iu ∂Z) Sᴴ
 /// Report: ∂Z as integrated, which is                                       [M03] (24)-(29)
 ///     A_jk(U) = A_jk + (U/ω²)∂B_jk,    B_jk(U) = B_jk − U∂A_jk,    k = 1..4
@@ -19,13 +21,13 @@ struct SpeedCoefficients {
   Mat6 addedMass, damping;
 };
 
-/// Of one frequency. Tuck's form does not look at ∂A, ∂B.
+/// At one frequency. Tuck's form does not use ∂A and ∂B.
 /// @param omega ω_e [rad/s], finite, > 0.  @param speed U [m/s], any sign.
 SpeedCoefficients atSpeed(const Mat6& addedMass, const Mat6& damping, const Mat6& addedMassX,
                           const Mat6& dampingX, double omega, double speed, ForwardSpeedForm form);
 
-/// At any ω_e ≥ 0, ∞ included, interpolated (database/Interpolation.h). At ω = 0 the entries of
-/// A_j5, A_j6 that grow as (U/ω)² are NaN; B(U) = U(A Tᵀ − ∂A), ∞ alike.
+/// At any ω_e ≥ 0, ∞ included, interpolated between the database's frequencies. At ω = 0 the
+/// entries of A_j5, A_j6 that grow as (U/ω)² are NaN; B(U) = U(A Tᵀ − ∂A), ∞ alike.
 /// @throws HydroError ValueOutOfRange (ω < 0, NaN; U not finite), DatabaseIncomplete: the report's
 ///         form at U ≠ 0 needs ∂A and ∂B.
 SpeedCoefficients atSpeed(const CoefficientTables& coefficients, double omega, double speed,

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-/// The little of HDF5 that the database needs; internal to hydro/database. Every failure is a
-/// HydroError whose message begins with the file's path; HDF5's own printing is silenced. HDF5 is
-/// not thread-safe: one thread at a time, whatever the file.
+/// Reading and writing datasets of HDF5 files. Every failure is a HydroError whose message begins
+/// with the file's path; HDF5's own messages are silenced. HDF5 is not thread-safe: one thread at a
+/// time, even for different files.
 namespace cutwater::hdf5 {
 
 /// Owns one HDF5 identifier.
@@ -84,8 +84,7 @@ class Reader {
   explicit Reader(const std::string& path);
   bool has(const std::string& name) const;
   /// @throws HydroError DatabaseIncomplete (missing), FileMalformed (not numbers; declares more
-  /// than
-  ///         the file holds; kept in another file).
+  ///         than the file holds; kept in another file).
   Array numbers(const std::string& name) const;
   std::string text(const std::string& name) const;
   /// True if a dataset holds a string.

@@ -16,9 +16,9 @@ struct LocalCubic {
 /// @param nodes strictly increasing, not empty.  @param x within [nodes.front(), nodes.back()].
 LocalCubic localCubic(std::span<const double> nodes, double x);
 
-/// How many of the frequencies the panels resolve (Coefficients::resolvedOmega): what lies above is
+/// How many of the frequencies the panels resolve (Coefficients::resolvedOmega); those above are
 /// neither interpolated nor transformed. All of them if that is not known or would leave fewer than
-/// eight, too few to say anything.
+/// eight.
 std::size_t resolvedCount(const CoefficientTables& coefficients);
 
 /// A(ω) at any ω ≥ 0 [rad/s], ω = ∞ included: local cubic through A(0) and the data; beyond the
@@ -34,8 +34,8 @@ Mat6 addedMassAt(const CoefficientTables& coefficients, double omega);
 Mat6 dampingAt(const CoefficientTables& coefficients, double omega);
 
 /// ∂A(ω) and ∂B(ω) at any ω ≥ 0, as A and B: ∂A through ∂A(0), ∂B as B. Unless `finish`
-/// (finish/Finish.h) has continued them, Ω is here the last frequency that the panels resolve
-/// (Coefficients::resolvedOmega): beyond it the solver's own ring.
+/// (finish/Finish.h) has continued them, Ω is here the last frequency that the panels resolve:
+/// beyond it the solver's values oscillate from one frequency to the next.
 /// @throws as addedMassAt; DatabaseIncomplete if the database holds no x-derivatives.
 Mat6 addedMassXAt(const CoefficientTables& coefficients, double omega);
 Mat6 dampingXAt(const CoefficientTables& coefficients, double omega);

@@ -7,15 +7,15 @@
 
 namespace cutwater {
 
-/// Finished frequencies of a sweep, kept in a file beside the database to be, so that a sweep that
-/// is killed at any moment can go on from them. Each is appended by one write and carries a
-/// checksum; a torn one at the end is cut off when the file is opened again. Numbers are kept as
-/// they are: a resumed sweep has the same bits. Not installed. Not for several threads at once.
+/// The finished frequencies of a sweep, in a file beside the future database, so that a sweep that
+/// was killed at any moment can continue from them. Each is appended by one write with a checksum;
+/// an incomplete one at the end is cut off when the file is opened again. Numbers are kept bit by
+/// bit: a resumed sweep has the same bits. One thread at a time.
 class SweepJournal {
  public:
   /// Opens or makes the file.
-  /// @param key  of all that the numbers depend on; records of another key are thrown away.
-  /// @param size  numbers of a frequency.
+  /// @param key  hash of all that the numbers depend on; records of another key are discarded.
+  /// @param size  how many numbers a frequency has.
   /// @throws HydroError FileNotWritable; FileMalformed for a file that is no journal, which is left
   ///         as it is.
   SweepJournal(const std::string& path, std::uint64_t key, std::size_t size);

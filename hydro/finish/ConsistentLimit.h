@@ -28,7 +28,7 @@ ConsistentLimit consistentLimit(const Coefficients& coefficients, const Retardat
 /// `addedMassInfDirect`. Above `resolvedOmega` = Ω′ A and B become the memory's continuation: B by
 /// its tail, A = A(∞) − (1/ω)∫K sin ωτ dτ, and ∂A, ∂B likewise with a consistent ∂A(∞). ∂A does so
 /// earlier: from 0.5 Ω′ to 0.8 Ω′ it goes over from the solver's to ∂A(∞) − (1/ω)∫∂K sin ωτ dτ of
-/// ∂B, which there is the better value (decisions/).
+/// ∂B, which there is the better value (decision 0045).
 void continueConsistently(Coefficients& coefficients, const RetardationMatrix& memory,
                           const ConsistentLimit& limit);
 

@@ -47,19 +47,6 @@ Coefficients finish(SolverOutput output) {
   return c;
 }
 
-std::vector<std::string> gridWarnings(const Coefficients& c) {
-  if (c.status == CoefficientStatus::Unfinished) {
-    return {
-        "the database is unfinished, for coefficients, excitation and motions in the frequency "
-        "domain only: " +
-        c.unfinishedBecause};
-  }
-  std::vector<std::string> lines = GridNeeds(c).advice();
-  for (std::string& line : lines)
-    line = "the memory of a ship under way (K^UU) is not accurate: " + line;
-  return lines;
-}
-
 double asymmetry(const OverFrequency<Mat6>& matrices) {
   Mat6 scale = Mat6::Zero(), worst = Mat6::Zero();
   for (const Mat6& m : matrices) {

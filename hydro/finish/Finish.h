@@ -1,7 +1,4 @@
 #pragma once
-#include <string>
-#include <vector>
-
 #include "hydro/database/SolverOutput.h"
 
 namespace cutwater {
@@ -19,12 +16,6 @@ namespace cutwater {
 /// @throws HydroError DatabaseIncomplete: the condition limits leave fewer than two frequencies;
 ///         ValueOutOfRange, FrequenciesNotIncreasing: bad condition limits.
 Coefficients finish(SolverOutput output);
-
-/// What a user should know about the frequency grid, a line each: why the coefficients are
-/// unfinished, or what the grid is too coarse for although they are finished. K^UU, the memory of a
-/// ship under way that grows with U², needs steps up to 0.36 √(g/L), 0.1 rad/s for a ship of 120 m,
-/// and frequencies up to 3 √(g/B), 2.4 rad/s for a beam of 15 m. Empty: nothing to say.
-std::vector<std::string> gridWarnings(const Coefficients& coefficients);
 
 /// Largest |X_jk − X_kj| over the grid, of √(X_jj X_kk) at its largest: discretisation error in A
 /// and B.

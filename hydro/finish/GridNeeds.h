@@ -6,14 +6,10 @@
 
 namespace cutwater {
 
-/// Steps and range of a frequency grid, beside what the memory of the ship's waves needs.
-///
-/// Damping in surge, pitch and yaw rises and falls with the interference of bow and stern,
-/// cos(2ω²L/g): steps of 0.7 √(g/L), 0.2 rad/s for the frigate of 124.5 m, leave two points to a
-/// period at 1 rad/s. There A₁₁(∞) scatters by 3.8 %, with 0.1 rad/s by 0.4 %; K^UU₅₅ is 7 % off,
-/// with 0.1 rad/s 0.2 %. The range is set by the beam: K^UU₅₅ is 5 % off if the frequencies end at
-/// 3 √(g/B), 18 % at 2.4, 48 % at 1.8. What lies below the first frequency is interpolated: two
-/// steps do no harm (0.1 %), four do (16 %).
+/// Steps and range of a frequency grid, beside what the memory of a ship under way needs: steps up to
+/// 0.36 √(g/L), because damping in surge, pitch and yaw rises and falls with the interference of bow
+/// and stern, cos(2ω²L/g); frequencies from 0.72 √(g/L) or less up to 3 √(g/B), where heave has
+/// radiated most of its waves (decision 0070; the numbers are in tests/finish/grid_needs_test.cpp).
 struct GridNeeds {
   double first = 0.0;         ///< first frequency [rad/s]
   double step = 0.0;          ///< largest step in use [rad/s]

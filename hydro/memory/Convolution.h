@@ -9,17 +9,16 @@ namespace cutwater {
 
 class RetardationMatrix;
 
-/// Weights K̄_i of a convolution, shared by all ships of a kind. Immutable.
+/// Weights K̄_i of a convolution, shared by all ships of one database. Immutable.
 ///
 /// ∫₀^∞ K dτ is known (0 for K⁰), but the memory ends at T. What is missing of K⁰ and K^U is added
-/// to the last quarter of the weights, as a smooth bump: a steady velocity feels no memory at rest,
-/// however short the duration.
+/// to the last quarter of the weights as a smooth bump, so that a steady velocity feels no memory
+/// at rest, however short the duration.
 class ConvolutionWeights {
  public:
-  /// @param step h [s] > 0.  @param duration [s] ≥ 0: memory is cut off there; 0: twice
-  ///        RetardationMatrix::duration(), for K^U and K^UU, the integrals of what K⁰ is, die more
-  ///        slowly, and what is cut off may be much of a B_jk(U) that is small: with K⁰'s own
-  ///        duration 9 % of the frigate's B_46 in 0.2 to 0.5 rad/s, with twice that 0.1 %.
+  /// @param step h [s] > 0.
+  /// @param duration [s] ≥ 0: the memory is cut off there; 0: twice RetardationMatrix::duration(),
+  ///        because K^U and K^UU, which are integrals of K⁰, die more slowly.
   /// @throws HydroError ValueOutOfRange, also for more than 10⁶ ticks of memory.
   ConvolutionWeights(const RetardationMatrix& retardation, double step, double duration = 0.0);
 
@@ -48,9 +47,9 @@ class ConvolutionWeights {
   std::array<std::vector<double>, 3> weights_;
 };
 
-/// The memory as that sum itself, the oracle. State: a ring of past velocities. A tick costs up to
-/// three dot products of length() for each of the 18 pairs of a symmetric hull: about 10 µs at rest
-/// with 1500 ticks.
+/// The memory as the convolution itself, with which faster ways are compared. State: a ring of past
+/// velocities. A tick costs up to three dot products of length() for each of the 18 pairs of a
+/// symmetric hull: about 10 µs at rest with 1500 ticks.
 class Convolution final : public RadiationMemory {
  public:
   explicit Convolution(std::shared_ptr<const ConvolutionWeights> weights);

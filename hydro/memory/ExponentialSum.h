@@ -11,17 +11,17 @@ class RetardationMatrix;
 
 /// All 36 retardation functions, at rest and under way, as sums of damped oscillations with common
 /// poles:
-///     K⁰(τ) ≈ Re Σ_m R⁰_m e^{s_m τ},  K^U and K^UU alike with residues of their own,  Re s_m < 0
-/// so that the whole memory is one complex number for each pole and mode. Poles by vector fitting
-/// of all transforms together [Gustavsen99; Deschrijver08], at ω evenly up to the last that the
-/// data resolve and, in growing steps, ten times as far. Residues: weighted least squares with ∫K⁰
-/// dτ = 0 and ∫K^U dτ kept exactly: a steady velocity feels no memory, A(0) and c(U) stay what they
-/// are. An error at ω is weighed against the largest of B_jk(U), and of ωA_jk(U), from ω/1.5 to 1.5
-/// ω, at the speed of 0 to 15 m/s where it says most. Immutable. Building costs about a quarter of
-/// a second.
+///     K⁰(τ) ≈ Re Σ_m R⁰_m e^{s_m τ},  Re s_m < 0
+/// K^U and K^UU likewise with residues of their own, so that the whole memory is one complex number
+/// for each pole and mode. Poles by vector fitting of all transforms together [Gustavsen99;
+/// Deschrijver08], at ω evenly up to the last that the data resolve and, in growing steps, ten
+/// times as far. Residues: weighted least squares with ∫K⁰ dτ = 0 and ∫K^U dτ kept exactly: a
+/// steady velocity feels no memory, and A(0) and c(U) do not change. An error at ω is measured
+/// against the largest of B_jk(U), and of ωA_jk(U), from ω/1.5 to 1.5 ω, at that speed of 0 to 15
+/// m/s at which it is largest. Immutable. Building costs about a quarter of a second.
 class ExponentialSum {
  public:
-  /// @param addedMassInf A(∞), against which errors are weighed.
+  /// @param addedMassInf A(∞), against which errors are measured.
   /// @param poles  how many, a conjugate pair counted once.
   explicit ExponentialSum(const RetardationMatrix& retardation, const Mat6& addedMassInf,
                           std::size_t poles = 20);
@@ -43,7 +43,7 @@ class ExponentialSum {
   /// ∫₀^∞ K(U, τ) e^{−iωτ} dτ.
   CMat6 transform(double omega, double speed) const;
 
-  /// Largest error of one of the parts, in that measure; 0 without any memory.
+  /// Largest error of K⁰, K^U or K^UU, in that measure; 0 without any memory.
   double error() const noexcept { return error_; }
 
  private:
@@ -56,7 +56,7 @@ class ExponentialSum {
   double error_ = 0.0;
 };
 
-/// The memory by that sum, step by step exactly the convolution of its functions for any tick:
+/// The memory by that sum; for any tick exactly the convolution of its functions:
 ///     z_mk ← e^{s_m h} z_mk + (e^{s_m h} − 1)/s_m η̇_k,   F_j = −Re Σ_m Σ_k R_jkm(U) z_mk
 /// Stable for every tick, as |e^{s h}| < 1. State: 6 complex numbers a pole. A tick costs about 0.2
 /// µs.

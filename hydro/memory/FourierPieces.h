@@ -3,7 +3,7 @@
 
 #include "hydro/Conventions.h"
 
-/// Integrals behind the retardation functions; internal to hydro/memory.
+/// Integrals of which the retardation functions are made.
 namespace cutwater::fourier {
 
 /// Transforms of one cell of a piecewise polynomial, exact for every τ ≥ 0 (Filon's idea; with
@@ -21,7 +21,7 @@ std::array<double, 8> cosineWeights(double a, double b, double tau) noexcept;
 
 /// j_0..j_4 at θ ≥ 0, absolute error below 1e-14.
 std::array<double, 5> sphericalBessel(double theta) noexcept;
-/// j_0..j_7 alike.
+/// j_0..j_7 likewise.
 std::array<double, 8> sphericalBessel8(double theta) noexcept;
 
 inline constexpr int kLeastPower = 3;      ///< slowest decay of a tail, (Ω/ω)³

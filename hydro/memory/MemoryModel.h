@@ -2,10 +2,10 @@
 
 namespace cutwater {
 
-/// How the radiated waves are remembered.
+/// How the memory of radiated waves is computed.
 enum class MemoryModel {
-  Exponential,  ///< a sum of damped oscillations (ExponentialSum.h); the default
-  Convolution   ///< the convolution itself (Convolution.h): the oracle, slower by ten and more
+  Exponential,  ///< a sum of damped oscillations; the default
+  Convolution   ///< the convolution itself, slower by a factor of ten or more: for comparison
 };
 
 }  // namespace cutwater

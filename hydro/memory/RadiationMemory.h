@@ -10,9 +10,9 @@ namespace cutwater {
 ///   F(t_n) = −∫₀^∞ K(U, τ) η̇(t_n − τ) dτ = −Σ_i K̄_i η̇_{n−i},   K̄_i = ∫ K over [i h, (i+1) h]
 /// η̇_n is the mean velocity over the tick that ends at t_n (in Bullet: the velocity after the
 /// solve, which moved the body over that tick), so the sum is second order in h and sees ∫K dτ
-/// exactly. K = K⁰ + U K^U + U² K^UU with the speed of now for the whole past: as U drifts the
-/// parts are weighed anew, nothing is tabulated again. Frame H; forces and moments about G. No
-/// allocation after construction. One thread at a time.
+/// exactly. K = K⁰ + U K^U + U² K^UU with the present speed for the whole past: as U changes only
+/// the weights of the three parts change. Frame H; forces and moments about G. No allocation after
+/// construction. One thread at a time.
 class RadiationMemory {
  public:
   virtual ~RadiationMemory() = default;
@@ -21,10 +21,10 @@ class RadiationMemory {
   /// finite spoils the memory: reset() or restore() after it.   @param speed U [m/s].
   virtual Vec6 advance(const Vec6& etaDot, double speed) noexcept = 0;
   Vec6 advance(const Vec6& etaDot) noexcept { return advance(etaDot, 0.0); }
-  /// The same with the parts apart: F = atRest + U linear + U² squared.
+  /// The same with separate parts: F = atRest + U linear + U² squared.
   using Parts = SpeedParts<Vec6>;
   virtual Parts advanceParts(const Vec6& etaDot) noexcept = 0;
-  /// Forgets: as if at rest on the mean course for ever.
+  /// Forgets the past, as if the ship had always been at rest on the mean course.
   virtual void reset() noexcept = 0;
 
   /// Exact state as numbers: restore(save()) gives the same bits ever after.

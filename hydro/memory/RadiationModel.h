@@ -9,19 +9,22 @@
 
 namespace cutwater {
 
-/// What all ships of one database share of their radiation: retardation functions, the fit, b/U and
-/// c/U². Made once, a quarter of a second for 60 frequencies; then immutable but for tables that
-/// are made when first asked for. Any thread may call.
+/// The radiation that all ships of one database share: retardation functions, the fit, b/U and
+/// c/U².
+///     const RadiationModel model(coefficients);
+///     const auto memory = model.makeMemory(0.02);   // of one ship
+/// Made once, in a quarter of a second for 60 frequencies; then immutable but for tables that are
+/// made when first asked for. Any thread may call.
 class RadiationModel {
  public:
-  /// @param coefficients is not needed afterwards.
+  /// @param coefficients need not outlive this object.
   /// @param form  of the forward-speed terms; absent: the database's own.
   /// @throws HydroError as RetardationMatrix.
   explicit RadiationModel(const Coefficients& coefficients,
                           MemoryModel memory = MemoryModel::Exponential,
                           std::optional<ForwardSpeedForm> form = {});
 
-  /// Memory of one ship, at rest for ever. The model must outlive it.
+  /// Memory of one ship that has always been at rest. The model must outlive it.
   /// @param step h [s] > 0.  @throws HydroError ValueOutOfRange.
   std::unique_ptr<RadiationMemory> makeMemory(double step) const;
 

@@ -7,15 +7,15 @@
 
 namespace cutwater {
 
-/// Memory of the radiated waves: a velocity of mode k at time t−τ still forces mode j at t by
-/// −K(τ).
+/// One retardation function K(τ): a velocity of mode k at time t − τ causes the force −K(τ) in mode
+/// j at time t.
 ///     K(τ) = (2/π) ∫₀^∞ B(ω) cos ωτ dω                          [M03] (34), [Cummins 1962]
 /// B(ω)/ω is a cubic spline through 0 at ω = 0 and the given points (between 0 and the first point
 /// kept monotone, so a positive B stays positive), hence B is piecewise quartic and its transform
-/// is exact in closed form for every τ: no sampling in ω, no aliasing.
+/// is known in closed form for every τ: no sampling in ω, no aliasing.
 ///
-/// Beyond the last frequency Ω the data are continued with value and slope by a tail that always
-/// dies: B(Ω)[(1 + c)uⁿ − c uⁿ⁺¹], u = Ω/ω. n ≥ 3, the law of a wall-sided hull's waves, and c come
+/// Beyond the last frequency Ω the data are continued with value and slope by a tail that vanishes
+/// at ∞: B(Ω)[(1 + c)uⁿ − c uⁿ⁺¹], u = Ω/ω. n ≥ 3, the law of a wall-sided hull's waves, and c come
 /// from the slope of log B over [0.7 Ω, Ω]; where that is noise (B changes sign), u⁸.
 ///
 /// Since B vanishes at both ends ∫₀^∞ K dτ = 0, and A(∞) = A(ω) + (1/ω)∫₀^∞ K sin ωτ dτ for every ω
@@ -25,7 +25,7 @@ class RetardationFunction {
   /// @param omega    ω [rad/s], shape (n ≥ 2), strictly increasing, > 0; B(0) = 0 is added.
   /// @param damping  B(ω) of one (j, k) [unit of force j per unit of velocity k], shape (n).
   /// @throws HydroError BadArgument (sizes), FrequenciesNotIncreasing, ValueOutOfRange (not
-  /// finite).
+  ///        finite).
   RetardationFunction(std::span<const double> omega, std::span<const double> damping);
 
   double operator()(double tau) const noexcept;  ///< K(τ) [unit of B / s], τ ≥ 0

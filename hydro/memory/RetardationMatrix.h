@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "hydro/database/Coefficients.h"
-#include "hydro/database/ImpulseResponse.h"
 #include "hydro/memory/RetardationFunction.h"
 #include "hydro/memory/SpeedParts.h"
 
@@ -12,27 +11,29 @@ namespace cutwater {
 /// Memory of a ship under way: K⁰ [unit of B / s], K^U [unit of B / m], K^UU [unit of B · s/m²].
 using SpeedKernels = SpeedParts<Mat6>;
 
-/// All functions of a ship, at rest and under way. With D(τ) = (2/π)∫(∂B/ω) sin ωτ dω, I⁰(τ) =
-/// ∫₀^τK⁰ and T of database/ForwardSpeed.h
+/// The retardation functions of a ship, at rest and under way:
+///     const RetardationMatrix K(coefficients);
+///     K.at(2.0);                 // K⁰ after 2 s
+///     K.kernels(2.0).at(8.0);    // K at 8 m/s
+/// With D(τ) = (2/π)∫(∂B/ω) sin ωτ dω, I⁰(τ) = ∫₀^τ K⁰ and T of database/ForwardSpeed.h
 ///     K⁰   = (2/π)∫ B cos ωτ dω                                                  [M03] (34)
 ///     K^U  = −D + I⁰ Tᵀ                                                    [M03] (35), (37), (39)
 ///     K^UU = (∫_τ^∞ D ds) Tᵀ                                                   [M03] (38), (40)
 ///     b(U) = U(A^∞Tᵀ − ∂A^∞),   c(U) = −U² ∂A(0) Tᵀ,   ∂A(0) = ∂A^∞ + ∫₀^∞ D dτ  [M03] (41)-(45)
 /// so that −ω²A^∞ + iω(b + K̂(ω)) + c = −ω²A(U, ω) + iωB(U, ω) at every ω, for both forms of the
 /// forward-speed terms (Tuck's: ∂B = TB, ∂A = TA). D equals the report's (2/π)∫[∂A − ∂A^∞] cos ωτ
-/// dω, as what is causal has both; taken from ∂B it begins at 0 and its tail dies one power faster.
-/// ∂A^∞ is that which belongs to ∂A(ω) and ∂B(ω): ∂A^∞ = ∂A(ω) + (1/ω)∫₀^∞ ∂K sin ωτ dτ, averaged
+/// dω, as a causal function has both; taken from ∂B it begins at 0 and its tail dies one power
+/// faster. ∂A^∞ is that which belongs to ∂A(ω) and ∂B(ω): ∂A(ω) + (1/ω)∫₀^∞ ∂K sin ωτ dτ, averaged
 /// over the middle of the band (MiddleBand.h).
 ///
-/// A and B are symmetrised first: they are symmetric but for the solver's discretisation error, the
-/// mean of B_jk and B_kj is the better value, and a symmetric positive B gives a memory that cannot
-/// create energy. ∂A and ∂B are not symmetric. Pairs that vanish by symmetry, |B_jk| below 1e-8 of
-/// √(B_jj B_kk) at their maxima, are left out. Frequencies above Coefficients::resolvedOmega are
-/// left to the tail.
+/// A and B are symmetrised first: they are symmetric but for the solver's discretisation error, and
+/// a symmetric positive B gives a memory that cannot create energy. ∂A and ∂B are not symmetric.
+/// Pairs that vanish by symmetry, |B_jk| below 1e-8 of √(B_jj B_kk) at their maxima, are left out.
+/// Frequencies above Coefficients::resolvedOmega are left to the tail.
 class RetardationMatrix {
  public:
   /// @param form  of the forward-speed terms; absent: the database's own.
-  /// @throws HydroError as RetardationFunction.
+  /// @throws HydroError DatabaseIncomplete: unfinished coefficients; else as RetardationFunction.
   explicit RetardationMatrix(const Coefficients& coefficients,
                              std::optional<ForwardSpeedForm> form = {});
 
@@ -57,7 +58,8 @@ class RetardationMatrix {
   const Mat6& addedMassXInf() const noexcept { return addedMassXInf_; }    ///< ∂A^∞, consistent
 
   /// A(∞) = A(ω) + (1/ω)∫₀^∞ K⁰ sin ωτ dτ, symmetrised: the same for every ω > 0 if A, B and the
-  /// tail are right.   @param addedMass  A at that ω.
+  /// tail are right.
+  /// @param addedMass A at that ω.
   Mat6 addedMassInf(double omega, const Mat6& addedMass) const;
 
   /// B(ω) and ∂B(ω) as the memory has them: interpolated, and continued beyond the last frequency
@@ -77,8 +79,8 @@ class RetardationMatrix {
   ImpulseResponse table(double step, double duration) const;
 
   /// T [s] beyond which K⁰ is negligible: of every pair no more than 0.1 % of ∫|K⁰| lies beyond it,
-  /// measured by √(∫|K_jj| ∫|K_kk|). At most π/Δω, Δω the median step of the data, beyond which
-  /// they say nothing about K.
+  /// measured by √(∫|K_jj| ∫|K_kk|). At most π/Δω, Δω the median step of the data: beyond that the
+  /// data do not determine K.
   double duration() const noexcept { return duration_; }
 
  private:

@@ -3,7 +3,7 @@
 
 namespace cutwater {
 
-/// What is at rest, and what grows with U and U²: of K, its transform, its force.  [M03] (33), (36)
+/// A quantity as atRest + U linear + U² squared: K, its transform, its force.   [M03] (33), (36)
 template <class T>
 struct SpeedParts {
   T atRest, linear, squared;

@@ -4,7 +4,7 @@
 
 #include "hydro/Conventions.h"
 
-/// Rational functions with common poles through many frequency responses; internal to hydro/memory.
+/// Rational functions with common poles fitted to many frequency responses at once.
 namespace cutwater {
 
 /// One frequency response H(iω) of a real function of time, with weights of its parts at each ω.

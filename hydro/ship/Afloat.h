@@ -41,7 +41,7 @@ struct Afloat {
 };
 
 /// Lets a hull float as it lies:
-///     const Hull hull = readHull("frigate.obj");                            // files/MeshIO.h
+///     const Hull hull = readHull("frigate.obj");  // files/MeshIO.h
 ///     const Loading loading{.cog = {0, 0, 1.29}, .level = true};
 ///     ShipParticulars ship = afloat(panelledAsItIs(hull), loading).ship;
 /// Fills everything but the name: hull and panels, mass, centre of gravity, gyradii, volume, centre

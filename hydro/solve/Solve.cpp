@@ -1,12 +1,34 @@
 #include "hydro/solve/Solve.h"
 
+#include "hydro/bem/BuildCoefficients.h"
 #include "hydro/finish/Finish.h"
+#include "hydro/finish/GridNeeds.h"
+#include "hydro/memory/RetardationMatrix.h"
 
 namespace cutwater {
 
 Coefficients solve(const ShipParticulars& ship, const SolveSettings& settings,
                    const SolveProgress& progress, const std::string& journal) {
   return finish(buildCoefficients(ship, settings, progress, journal));
+}
+
+std::vector<std::string> gridWarnings(const Coefficients& c) {
+  if (c.status == CoefficientStatus::Unfinished) {
+    return {
+        "the database is unfinished, for coefficients, excitation and motions in the frequency "
+        "domain "
+        "only: " +
+        c.unfinishedBecause};
+  }
+  std::vector<std::string> lines = GridNeeds(c).advice();
+  for (std::string& line : lines)
+    line = "the memory of a ship under way (K^UU) is not accurate: " + line;
+  return lines;
+}
+
+ImpulseResponse impulseResponse(const Coefficients& coefficients, double step, double duration) {
+  if (coefficients.status == CoefficientStatus::Unfinished) return {};
+  return RetardationMatrix(coefficients).table(step, duration);
 }
 
 }  // namespace cutwater

@@ -1,3 +1,4 @@
+#include "hydro/database/BemioLayout.h"
 #include "tests/database/FileTest.h"
 
 // The same file without our group, as another code would have written it.
@@ -56,6 +57,20 @@ TEST_F(BemioFile, GivesTheSameExcitation) {
       EXPECT_LT((back.diffraction[h][i] - c.diffraction[same][i]).norm(), 10.0 * scale);
     }
   }
+}
+
+// Another code's author answers for its grid: its file counts as given, whatever the grid.
+TEST_F(BemioFile, CountsAsGivenAndSaysWhatItLacks) {
+  writeCoefficients(sampleShip(), path());
+  Edit(path()).remove("cutwater");
+  std::vector<std::string> missing;
+  const Coefficients c = readBemio(hdf5::Reader(path()), missing);
+  EXPECT_EQ(c.status, CoefficientStatus::Given);
+  EXPECT_NO_THROW(requireFinished(c, "time domain"));
+  ASSERT_EQ(missing.size(), 3u);
+  EXPECT_NE(missing[0].find("gyradii"), std::string::npos);
+  EXPECT_NE(missing[1].find("mass"), std::string::npos);
+  EXPECT_NE(missing[2].find("A(0)"), std::string::npos);
 }
 
 TEST_F(BemioFile, ForeignTrapsAreMet) {

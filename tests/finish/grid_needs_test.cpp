@@ -89,9 +89,10 @@ TEST(GridNeedsConvergence, SquaredMemoryNeedsATenthOfARadian) {
   EXPECT_GT(errorOfSquared(part(3)), 0.01);
   EXPECT_LT(errorOfSquared(part(3)), 0.03);
   EXPECT_GT(errorOfSquared(part(4)), 0.05);
-  EXPECT_EQ(gridWarnings(finish(part(2, 9.0))).size(), 1u);  // the panels' range only, 2.4 for 2.5
-  ASSERT_EQ(gridWarnings(finish(part(3))).size(), 2u);
-  EXPECT_NE(gridWarnings(finish(part(3))).front().find("steps of 0.15 rad/s are too coarse"),
+  // The panels end the range, at 2.4 for 2.44 rad/s.
+  EXPECT_EQ(GridNeeds(finish(part(2))).advice().size(), 1u);
+  ASSERT_EQ(GridNeeds(finish(part(3))).advice().size(), 2u);
+  EXPECT_NE(GridNeeds(finish(part(3))).advice().front().find("steps of 0.15 rad/s are too coarse"),
             std::string::npos);
 }
 

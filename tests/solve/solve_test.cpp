@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
+#include "hydro/bem/BuildCoefficients.h"
 #include "hydro/finish/Finish.h"
 #include "hydro/geometry/shapes/Shapes.h"
+#include "hydro/memory/RetardationMatrix.h"
 #include "hydro/response/FrequencyResponse.h"
 #include "hydro/ship/Afloat.h"
 
@@ -64,6 +66,30 @@ TEST(Solve, ASingleFrequencyAnswersForNoOther) {
   const Coefficients single = solve(floatingSphere(), one);
   EXPECT_THROW(FrequencyResponse(single).at(0.8, kPi), HydroError);
   EXPECT_THROW(FrequencyResponse(single).at(0.9, kPi, 3.0), HydroError);  // ω_e is another
+}
+
+TEST(Solve, GridWarningsSayWhatWouldDo) {
+  EXPECT_TRUE(gridWarnings(solve(floatingSphere(), upTo(12))).empty());
+  const Coefficients low = solve(floatingSphere(), upTo(9));  // 2.7 rad/s; 3 √(g/B) is 2.97
+  ASSERT_EQ(low.status, CoefficientStatus::Finished);
+  ASSERT_EQ(gridWarnings(low).size(), 1u);
+  EXPECT_NE(gridWarnings(low).front().find("K^UU"), std::string::npos);
+  EXPECT_NE(gridWarnings(low).front().find("the frequencies end at 2.7 rad/s, 3 rad/s"),
+            std::string::npos)
+      << gridWarnings(low).front();
+  const Coefficients one = solve(floatingSphere(), upTo(1));
+  ASSERT_EQ(gridWarnings(one).size(), 1u);
+  EXPECT_NE(gridWarnings(one).front().find(one.unfinishedBecause), std::string::npos);
+}
+
+TEST(Solve, ImpulseResponseIsTheRetardationFunction) {
+  const Coefficients c = solve(floatingSphere(), upTo(12));
+  const ImpulseResponse response = impulseResponse(c, 0.5, 2.0);
+  ASSERT_EQ(response.values.size(), 5u);
+  EXPECT_EQ(response.values[3], RetardationMatrix(c).at(1.5));
+  EXPECT_EQ(impulseResponse(c).values.size(), 601u);
+  EXPECT_TRUE(impulseResponse(solve(floatingSphere(), upTo(1))).values.empty());
+  EXPECT_THROW(impulseResponse(c, 1.0, 0.5), HydroError);
 }
 
 }  // namespace

@@ -13,8 +13,6 @@
 #include "demos/cutwater/output/Progress.h"
 #include "hydro/Errors.h"
 #include "hydro/database/CoefficientsFile.h"
-#include "hydro/finish/Finish.h"
-#include "hydro/memory/RetardationMatrix.h"
 
 namespace cutwater::command {
 
@@ -77,15 +75,6 @@ Coefficients solved(const ShipFile& ship, const std::string& journal) {
       journal);
 }
 
-// K for the readers of BEMIO; none of an unfinished database.
-ImpulseResponse impulseResponse(const std::string& path, const Coefficients& coefficients) {
-  constexpr double kStep = 0.05, kDuration = 30.0;  // [s]
-  ImpulseResponse response;
-  if (coefficients.status == CoefficientStatus::Unfinished) return response;
-  naming(path, [&] { response = RetardationMatrix(coefficients).table(kStep, kDuration); });
-  return response;
-}
-
 }  // namespace
 
 // A sweep can take minutes: better to know first that its result can be kept.
@@ -114,7 +103,9 @@ void solve(const std::string& path, const std::string& database, int threads) {
   }
   for (const std::string& line : gridWarnings(coefficients))
     warn(path + ": [solve] omega: " + line);
-  writeCoefficients(coefficients, database, impulseResponse(path, coefficients));
+  ImpulseResponse memory;  // K for the readers of BEMIO
+  naming(path, [&] { memory = impulseResponse(coefficients); });
+  writeCoefficients(coefficients, database, memory);
   std::error_code none;  // the database is safe, whatever becomes of the journal
   std::filesystem::remove(journal, none);
 }

@@ -3,7 +3,6 @@
 #include <exception>
 
 #include "hydro/database/CoefficientsFile.h"
-#include "hydro/finish/Finish.h"
 #include "hydro/geometry/shapes/Shapes.h"
 #include "hydro/ship/Afloat.h"
 #include "hydro/solve/Solve.h"
