@@ -35,8 +35,8 @@ double distance(const Coefficients::AdjointVectors& a, const Coefficients::Adjoi
   return a.cols() == 0 ? 0.0 : (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
 }
 
-// Two linear systems solved with other right-hand sides: round-off of the solver, 1e-13 ×
-// condition.
+// Two linear systems solved with other right-hand sides: round-off of the solver,
+// 1e-13 × condition.
 constexpr double kSolver = 1e-10;
 
 void expectSame(const Coefficients& a, const Coefficients& b) {

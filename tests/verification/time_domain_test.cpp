@@ -204,8 +204,8 @@ TEST(TimeDomainVerification, AddedMassXFromDampingXIsNearerToFinePanels) {
   }
 }
 
-/// Velocities of a ship that rides an irregular sea: 60 waves of 0.3 to 1.8 rad/s as she meets
-/// them, of energy as ω⁻⁵ behind a peak at 0.6; rotations as the waves' slope.
+/// Velocities of a ship that rides an irregular sea: 60 waves of 0.3 to 1.8 rad/s as the ship
+/// meets them, of energy as ω⁻⁵ behind a peak at 0.6; rotations as the waves' slope.
 class RidingShip {
  public:
   explicit RidingShip(double U) {
@@ -295,7 +295,7 @@ double leastDamping(const ExponentialSum& sum, const Coefficients& c) {
 }
 
 // Whether a ship at rest can gain energy from the fit: by no more than this part of the damping of
-// her modes at their peaks. 1e-3: the fit's error in its bands is 1 to 2e-3 of B, near the peaks;
+// its modes at their peaks. 1e-3: the fit's error in its bands is 1 to 2e-3 of B, near the peaks;
 // and B itself, which has no less.
 TEST(TimeDomainIdentity, MemoryAtRestTakesEnergyAtEveryFrequency) {
   const Coefficients c = finish(solvedFrigate(224));
@@ -348,7 +348,7 @@ TEST(TimeDomainIdentity, TableOfWaveForcesIsDirectEvaluation) {
 
 // 1°/s at 60 ticks a second, 200 waves, each renewed every 1.7 s: amplitudes are those of a heading
 // 0.8° ago in the mean, of 1.7° ago at most, in which the shortest waves turn by half a radian at
-// her ends. That is the cost of renewing two a tick; how much force it is, is stated here for all
+// its ends. That is the cost of renewing two a tick; how much force it is, is stated here for all
 // six modes, in a sea of 4 m with all waves up to 2.5 rad/s: a jump of 3.1 % of the mode's largest
 // force, as much as a wave of 2 rad/s changes in a tick, a lag of 15 %.
 TEST(TimeDomainIdentity, AmplitudesFollowATurningShip) {
