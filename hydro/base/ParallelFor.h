@@ -50,7 +50,7 @@ void parallelFor(std::size_t count, int threads, const Work& work) {
     for (std::size_t t = 1; t < std::min(workersFor(threads), count); ++t)
       others.emplace_back(run, t);
   } catch (const std::system_error&) {
-    // No more threads to be had: those there are do the work.
+    // The system gives no more threads: those that there are do the work.
   }
   run(0);
   for (std::thread& thread : others) thread.join();

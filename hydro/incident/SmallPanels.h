@@ -4,8 +4,8 @@
 #include "hydro/geometry/panels/PanelMesh.h"
 #include "hydro/incident/IncidentWaveForce.h"
 
-/// Waves on panels that are small against them, for tables of thousands of waves; internal to
-/// hydro/forces.
+/// Waves on panels that are small against them, at less cost than IncidentWaveForce.h: for tables
+/// of thousands of waves.
 namespace cutwater {
 
 /// What a panel's mean of a wave needs: to second order in its size over the wave length.

@@ -8,7 +8,7 @@ namespace cutwater {
 /// LU factors of a square matrix, real or complex: factored in single precision (LuByHalves.h; real
 /// ones by LAPACK), which takes half the time, the solutions refined in double precision until they
 /// are those of a matrix changed by less than kBackwardError of its norm: by their residual, or by
-/// what the first residual says of a second solve. Where that does not come about (condition
+/// what the first residual says of a second solve. Where refinement does not get there (condition
 /// numbers above some 1e6) the factors are taken again in double precision. Immutable; any thread
 /// may call.
 template <typename Scalar>

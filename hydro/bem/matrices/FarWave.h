@@ -27,8 +27,7 @@ struct InfluenceSystem {
 /// of g alike. Below X = 1 there are no waves yet: o counts from there, fully from X = 2. Where the
 /// image is not far, the share of −2/R₁ that g has become is taken from RankineMatrices' exact
 /// integral instead. Error of an entry, r.m.s. on a frigate of 433 panels a side: 1e-4 below 1.5
-/// rad/s, 1e-3 at 2.5, 0.4 % at 3; against 0.4 % by Gauss points chosen by the wave length, which
-/// took ten times as long.
+/// rad/s, 1e-3 at 2.5, 0.4 % at 3.
 class FarWave {
  public:
   using Systems = std::array<InfluenceSystem<Complex>, 2>;

@@ -29,7 +29,7 @@ struct WaveTile {
   /// Take −2/R₁ out of K F as far as it has become that: its exact integral is at hand.
   bool takeImages = false;
 
-  // Out: g = K F − 2πiK e^{−Y}J₀, meant over both panels, by what FarWave.h says.
+  // Out: g = K F − 2πiK e^{−Y}J₀, averaged over both panels as FarWave.h says.
   Column valueRe, valueIm;    ///< g [1/m]
   Column sourceRe, sourceIm;  ///< derivative by the source along its normal [1/m²]
   Column fieldRe, fieldIm;    ///< by the source along the field panel's reversed normal

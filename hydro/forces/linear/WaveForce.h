@@ -58,7 +58,7 @@ class WaveForce final : public ForceGenerator {
   std::shared_ptr<const CourseForces> exact_;     // of the fixed course; null on one that follows
   std::vector<Block> blocks_;
   std::vector<Course> madeFor_;  // of each component; of a fixed course one for all
-  std::size_t next_ = 0;         // to be looked at
+  std::size_t next_ = 0;         // the component to be checked next
 };
 
 }  // namespace cutwater

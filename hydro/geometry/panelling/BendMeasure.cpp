@@ -6,7 +6,7 @@
 namespace cutwater {
 namespace {
 
-constexpr double kBendStep = 0.15;   // of a panel edge: how finely bends are looked at
+constexpr double kBendStep = 0.15;   // of a panel edge: how finely bends are measured
 constexpr double kBendWeight = 0.4;  // panels for a turn of one radian
 
 double turnBetween(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }

@@ -91,7 +91,7 @@ SurfaceMesh withoutFolds(const SurfaceMesh& mesh) {
   return out;
 }
 
-/// Faces and whether all their edges are looked at.
+/// Faces, and whether all their edges are examined.
 class CrackCloser {
  public:
   CrackCloser(const SurfaceMesh& mesh, double tolerance, std::size_t firstLoose)

@@ -24,7 +24,7 @@ constexpr double kWeld = 1e-5;           // of the size: 1 mm on a ship of 100 m
 constexpr double kWidestHole = 0.02;     // of the length
 constexpr double kOff = 2e-4;            // of the size: how near a mirror image must lie
 constexpr double kMayBeOff = 0.01;       // share of the vertices
-constexpr std::size_t kMirrored = 4000;  // vertices looked at
+constexpr std::size_t kMirrored = 4000;  // vertices examined
 
 class Repair {
  public:

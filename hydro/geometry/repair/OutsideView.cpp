@@ -9,7 +9,7 @@ namespace {
 constexpr int kRays = 48, kManyRays = 400;  // over the whole sphere
 constexpr std::size_t kFew = 8;             // faces of a patch for which many rays are asked
 constexpr int kSideways = 8;                // rays along calm water
-constexpr std::size_t kFaces = 200;         // looked at in one patch
+constexpr std::size_t kFaces = 200;         // examined in one patch
 constexpr int kNoFace = -1;                 // at calm water a ray may meet the face it left
 constexpr double kGrazing = 0.1;            // a ray nearer to the face's plane says little
 
