@@ -92,7 +92,7 @@ TEST(OutsideShell, AShellThatHidesItselfIsRefused) {
     return chamber || (c[0] == 4 && c[1] == 4 && c[2] <= -4);
   });
   const SurfaceMesh hull = test::openOnWater(test::cubes(body));
-  test::expectRefusal(Fault::HullNotClosed,
+  test::expectRefusal(Fault::HullPartHidden,
                       {"hull.obj: ", " % of a shell is hidden from the water by another",
                        "first at (", "give the outer surface alone"},
                       [&] { outsideShell(hull, "hull.obj"); });
