@@ -37,6 +37,10 @@ class RunShip {
   int substeps_;
 };
 
+/// The run's ship, to be shared by the worlds of the run.
+/// @throws HydroError as readShipOfRun; naming the database, if it is unfinished.
+std::shared_ptr<const Hydrodynamics> hydrodynamicsOf(const RunFile& run);
+
 /// One line for the faults of a run, naming the part of the load that broke; empty if there were
 /// none.
 std::string describeFaults(RunShip& run);

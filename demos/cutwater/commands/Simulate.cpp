@@ -36,6 +36,14 @@ void printParts(const Recorder& recorder, const Ship& ship) {
 
 }  // namespace
 
+std::shared_ptr<const Hydrodynamics> hydrodynamicsOf(const RunFile& run) {
+  Coefficients coefficients = readShipOfRun(run);
+  std::shared_ptr<const Hydrodynamics> ship;
+  naming(run.database,
+         [&] { ship = std::make_shared<const Hydrodynamics>(std::move(coefficients)); });
+  return ship;
+}
+
 std::string describeFaults(RunShip& run) {
   const std::uint32_t faults = run.seaway().faults();
   const std::string part = run.ship().brokenPart();
@@ -61,7 +69,7 @@ void simulate(const std::string& path, bool forces, const std::string& out) {
     throw HydroError(Fault::ValueOutOfRange,
                      path + ": [waves] omega: simulate takes one frequency; `sweep` takes several");
   }
-  const auto ship = std::make_shared<const Hydrodynamics>(readShipOfRun(run));
+  const auto ship = hydrodynamicsOf(run);
   std::optional<RunShip> made;
   naming(path, [&] { made.emplace(run, ship); });
   RunShip& world = *made;

@@ -105,7 +105,7 @@ void sweep(const std::string& path, int threads, const std::string& out) {
   RunFile run = readRunFile(path);
   usePrecision(run.doublePrecision);
   check(run);
-  const auto ship = std::make_shared<const Hydrodynamics>(readShipOfRun(run));
+  const auto ship = hydrodynamicsOf(run);
   const Coefficients& coefficients = ship->coefficients();
   keepWhatCanBeMet(run, coefficients);
   const FrequencyResponse response(coefficients, run.model.restrained);
