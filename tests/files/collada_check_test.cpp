@@ -117,5 +117,12 @@ TEST(ColladaCheck, CountsAreWholeNumbersOfNineDigitsAtMost) {
   }
 }
 
+TEST(ColladaCheck, AnAccessorWithoutContentIsCheckedToo) {
+  const std::string array = "<float_array id=\"a\" count=\"3\">0 0 0</float_array>";
+  expectColladaPasses(array + "<accessor source=\"#a\" count=\"1\" stride=\"3\"/>");
+  expectColladaRefusal(array + "<accessor source=\"#a\" count=\"2\" stride=\"3\"/>",
+                       {"reaches beyond its array"});
+}
+
 }  // namespace
 }  // namespace cutwater
