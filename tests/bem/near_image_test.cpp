@@ -128,6 +128,32 @@ TEST(NearWaveIdentity, QuartersMadeForOnePointServeTheNext) {
     }
 }
 
+// The derivative has a horizontal part by way of the logarithm and a vertical one by way of 1/R₁:
+// in every direction what 10 × 10 points give of the whole, which leave 1e-5 of a panel as far away
+// as it is long; quartering leaves 1e-5 as well.
+TEST(NearWaveIdentity, SplitDerivativeIsTheWholeOneInEveryDirection) {
+  const Vec3 corner(0.0, 0.0, -0.4), along(1.0, 0.0, 0.1), across(0.1, 1.0, -0.1);
+  const Panel bottom =
+      flatPanel({corner, corner + along, corner + along + across, corner + across});
+  const Vec3 x(0.3, 0.5, -0.5);
+  const QuadraturePoint field{x, 1.0};
+  const auto points = panelQuadrature(bottom, 10);
+  for (const double K : {0.3, 1.0, 4.0, 20.0})  // from the logarithm to the image
+    for (const Vec3& e : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0.48, -0.6, 0.64)}) {
+      Complex value = 0.0, slope = 0.0;
+      for (const QuadraturePoint& at : points) {
+        const double dx = at.x.x() - x.x(), dy = at.x.y() - x.y(), h = std::hypot(dx, dy);
+        const WavePoint w(K, K * h, -K * (at.x.z() + x.z()));
+        value += at.weight * w.value;
+        slope += at.weight * ((e.x() * dx + e.y() * dy) / h * w.slope - e.z() * w.rise);
+      }
+      const NearSums sums({&field, 1}, false, points, K);
+      const WaveIntegral split = nearWave(sums, 1.0, imageSeenFrom(x, bottom, e), e, K);
+      EXPECT_LT(std::abs(split.value - value), 5e-5 * (1.0 + K)) << K;
+      EXPECT_LT(std::abs(split.along - slope), 5e-5 * (1.0 + K)) << K << ' ' << e.transpose();
+    }
+}
+
 // The two limits of the whole: no waves at K → 0, minus twice the image at K → ∞
 // [InfluenceMatrices.h].
 TEST(NearWaveClosedForm, LongAndShortWaves) {

@@ -164,6 +164,53 @@ TEST(RankineMatricesConvergence, XDerivativeIsThatOfThePotential) {
   EXPECT_EQ(RankineMatrices(without).parts(Parity::Odd).rigidX.size(), 0);
 }
 
+// Far apart the four points of a field panel are taken together, by the far form, which promises
+// 2e-7 of the potential and 1e-6 of its gradient: against the exact form, point by point.
+TEST(RankineMatricesIdentity, FarPairsAreTheExactFormPointByPoint) {
+  PanelMesh mesh;
+  mesh.symmetric = true;
+  mesh.panels = {flatPanel({{0, 2, -3}, {1, 2, -3}, {1, 3, -2.5}, {0, 3, -2.5}}),
+                 flatPanel({{40, 1, -1}, {41, 1.2, -1}, {41, 1.2, -2}, {40, 1, -2}})};
+  for (const InfluenceSettings& settings : {InfluenceSettings{}, asSources(true)}) {
+    const PanelPairs pairs(mesh, settings);
+    const RankineMatrices rankine(pairs);
+    const Panel &field = pairs.panel(1), &source = pairs.panel(0);
+    const RankinePanel exact(std::span(source.corner.data(), 4));
+    RankineMatrices::Sample sums[2][2];  // [mirrored][image]
+    for (const bool mirrored : {false, true})
+      for (const bool image : {false, true}) {
+        RankineMatrices::Sample& sum = sums[mirrored ? 1 : 0][image ? 1 : 0];
+        const auto seen = [&](const Vec3& x) {
+          return image ? imageInZ(imageInY(x, mirrored)) : imageInY(x, mirrored);
+        };
+        for (const QuadraturePoint& at : pairs.galerkin(1)) {
+          const RankineIntegrals one = exact.exactAt(seen(at.x));
+          const double weight = at.weight / field.area;
+          sum.potential += weight * one.potential;
+          sum.normal +=
+              weight * (pairs.isSource() ? seen(field.normal).dot(one.gradient) : one.doubleLayer);
+          sum.x += weight * one.gradient.x();
+        }
+      }
+    for (const Parity parity : {Parity::Even, Parity::Odd}) {
+      const RankineParts& parts = rankine.parts(parity);
+      const double odd = parity == Parity::Even ? 1.0 : -1.0;
+      const auto expect = [&](const Eigen::MatrixXd& rigid, const Eigen::MatrixXd& images,
+                              double RankineMatrices::Sample::*what, double promise) {
+        const double image = sums[0][1].*what + odd * sums[1][1].*what;
+        EXPECT_NEAR(images(1, 0), image, promise);
+        EXPECT_NEAR(rigid(1, 0), image + sums[0][0].*what + odd * sums[1][0].*what, promise);
+      };
+      const double size = source.area / 40.0, slope = size / 40.0;  // of one of the four
+      expect(parts.rigid, parts.image, &RankineMatrices::Sample::potential, 4.0 * 2e-7 * size);
+      expect(parts.rigidNormal, parts.imageNormal, &RankineMatrices::Sample::normal,
+             4.0 * 1e-6 * slope);
+      if (!settings.xDerivative) continue;
+      expect(parts.rigidX, parts.imageX, &RankineMatrices::Sample::x, 4.0 * 1e-6 * slope);
+    }
+  }
+}
+
 // Every near pair is listed once, in order, and knows where it stands seen the other way.
 TEST(RankineMatricesIdentity, NearPairsAreAllThereAndKnowTheirOpposites) {
   const PanelPairs pairs(halfBoat(true), {});
