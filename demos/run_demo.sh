@@ -9,6 +9,11 @@ mkdir -p "$out"
 cutwater=$build/cutwater
 database=$out/frigate.h5
 say() { printf '\n== %s\n' "$*"; }
+# run_file NAME COPY: a run file of demos/runs, copied beside the database that it is to read.
+run_file() {
+  sed 's|^database = .*|database = "frigate.h5"|' "$root/demos/runs/$1.toml" >"$out/$2.toml"
+  printf '%s' "$out/$2.toml"
+}
 
 ship=$root/meshes/frigate/ship.toml
 if [ -e "$database" ] && [ "$database" -nt "$cutwater" ] && [ "$database" -nt "$ship" ]; then
@@ -20,13 +25,13 @@ fi
 "$cutwater" info "$database" | head -n 12
 
 say "simulate: irregular sea from 150 deg, ten minutes in Bullet"
-"$cutwater" simulate "$root/demos/runs/irregular_150.toml" -o "$out/run.csv"
+"$cutwater" simulate "$(run_file irregular_150 run)" -o "$out/run.csv"
 gnuplot -e "in='$out/run.csv'; out='$out/run.png'" "$root/demos/plot_run.gp"
 
 # sweep_and_plot NAME BETA SPEED TITLE: Bullet's points and the frequency domain's lines.
 sweep_and_plot() {
   local name=$1 beta=$2 speed=$3 title=$4
-  "$cutwater" sweep "$root/demos/runs/sweep_$name.toml" -o "$out/sweep_$name.csv"
+  "$cutwater" sweep "$(run_file "sweep_$name" "sweep_$name")" -o "$out/sweep_$name.csv"
   "$cutwater" rao "$database" --speed "$speed" --heading "$beta" --omega 0.2:2:361 \
     -o "$out/rao_$name.csv"
   gnuplot -e "in='$out/sweep_$name.csv'; rao='$out/rao_$name.csv'; out='$out/sweep_$name.png'" \

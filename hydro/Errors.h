@@ -32,6 +32,7 @@ enum class Fault {
   MatrixSingular,
   SolverNotSupported,  ///< a Bullet solver or world that breaks added mass
   BadArgument,
+  Interrupted,  ///< by the user; what is done so far is kept
 };
 
 /// The one exception of the library. Constructors and loaders throw it; nothing throws inside a

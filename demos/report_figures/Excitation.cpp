@@ -6,7 +6,9 @@
 #include <thread>
 
 #include "demos/report_figures/Report.h"
+#include "hydro/base/EnumNames.h"
 #include "hydro/bem/reference/DiffractionSweep.h"
+#include "hydro/excitation/WaveExcitation.h"
 #include "hydro/response/FrequencyResponse.h"
 
 namespace cutwater::report {

@@ -81,7 +81,10 @@ Result pull(const Coefficients& frigate, int iterations, DemoTable& table) {
                  speed = ship.velocity()[Sway];
     result.lost = std::max(result.lost, std::abs(all - given) / given);
     if (i == 16) result.atFirst = pulled / speed;
-    if (i == 20 * 64) pulledBefore = pulled, speedBefore = speed;
+    if (i == 20 * 64) {
+      pulledBefore = pulled;
+      speedBefore = speed;
+    }
     if (i == 30 * 64) result.atLast = (pulled - pulledBefore) / (speed - speedBefore);
     table.row({double(iterations), calm.time(), ship.position().y(), speed, line.tension(),
                ship.momentum()[Sway], line.momentum(), -water, given});

@@ -5,14 +5,14 @@
 #include <optional>
 
 #include "hydro/Errors.h"
+#include "hydro/base/EnumNames.h"
 #include "hydro/base/ParallelFor.h"
 #include "hydro/bem/SweepRecord.h"
 #include "hydro/bem/reference/DiffractionSweep.h"
 #include "hydro/bem/settings/CheckSettings.h"
 #include "hydro/database/IrregularFrequencies.h"
 #include "hydro/database/SweepJournal.h"
-#include "hydro/geometry/panels/Lid.h"
-#include "hydro/geometry/panels/SolverPanels.h"
+#include "hydro/geometry/panels/WetSurface.h"
 
 namespace cutwater {
 namespace {
@@ -76,10 +76,10 @@ class Sweep {
   Sweep(SolverOutput& out, const SolveSettings& settings, int threads)
       : out_(out),
         settings_(settings),
-        matrices_(panels(out.ship, settings), influence(settings, threads)),
+        matrices_(panels(out.wet(), settings), influence(settings, threads)),
         normals_(matrices_.mesh(), out.ship.cog, out.ship.wetSurface),
         derivative_(out.ship.wetSurface, matrices_.mesh()),
-        faces_(makePanels(triangulated(out.ship.wetSurface), out.ship.symmetric)) {
+        faces_(out.wet().faces()) {
     const std::size_t count = out_.omega.size();
     out_.addedMass.values.resize(count);
     out_.damping.values.resize(count);
@@ -107,16 +107,15 @@ class Sweep {
         pairs[static_cast<std::size_t>(p)] = matrices_.atLimit(limit, static_cast<Parity>(p));
       const SymmetricSystem<double> system(std::move(pairs), matrices_.parities());
       const AdjointVectors b = adjointsOf(system);
-      const bool zero = limit == FrequencyLimit::Zero;
-      (zero ? out_.addedMass.atZero : out_.addedMass.atInfinity) =
-          (Complex(0.0, 1.0) * forcesOnUnitMotions(b.omega, normals_)).real();
-      if (settings_.xDerivatives)
-        (zero ? out_.addedMassX.atZero : out_.addedMassX.atInfinity) =
-            forcesOnUnitMotions(b.speed, normals_).real();
-      if (settings_.influence != Influence::Adjoint) continue;
-      (zero ? out_.adjoint.atZero : out_.adjoint.atInfinity) = b.omega;
-      if (settings_.xDerivatives)
-        (zero ? out_.adjointX.atZero : out_.adjointX.atInfinity) = b.speed;
+      const auto here = [limit](auto& over) -> auto& {
+        return limit == FrequencyLimit::Zero ? over.atZero : over.atInfinity;
+      };
+      const bool keepsVectors = settings_.influence == Influence::Adjoint;
+      here(out_.addedMass) = (Complex(0.0, 1.0) * forcesOnUnitMotions(b.omega, normals_)).real();
+      if (keepsVectors) here(out_.adjoint) = b.omega;
+      if (!settings_.xDerivatives) continue;
+      here(out_.addedMassX) = forcesOnUnitMotions(b.speed, normals_).real();
+      if (keepsVectors) here(out_.adjointX) = b.speed;
     }
   }
 
@@ -149,10 +148,8 @@ class Sweep {
             settings.sourcePoints, settings.galerkinPoints, threads};
   }
 
-  static PanelMesh panels(const ShipParticulars& ship, const SolveSettings& settings) {
-    PanelMesh mesh = solverPanels(ship.wetSurface, ship.symmetric, settings.curvedPanels);
-    if (settings.lid) mesh.lid = makeLid(ship.wetSurface, ship.symmetric, settings.lidPanelLength);
-    return mesh;
+  static PanelMesh panels(const WetSurface& wet, const SolveSettings& settings) {
+    return settings.lid ? wet.panelsWithLid(settings.lidPanelLength) : wet.panels();
   }
 
   template <typename Scalar>

@@ -1,8 +1,13 @@
 #include "hydro/database/Coefficients.h"
 
 #include "hydro/Errors.h"
+#include "hydro/geometry/panels/WetSurface.h"
 
 namespace cutwater {
+
+WetSurface CoefficientTables::wet() const noexcept {
+  return {ship.wetSurface, ship.symmetric, curvedPanels};
+}
 
 void requireFinished(const Coefficients& coefficients, const char* forWhat) {
   if (coefficients.status != CoefficientStatus::Unfinished) return;

@@ -1,9 +1,10 @@
 #pragma once
+#include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hydro/Conventions.h"
-#include "hydro/base/EnumNames.h"
 #include "hydro/ship/ShipParticulars.h"
 
 /// One ship's hydrodynamic coefficients:
@@ -12,6 +13,8 @@
 ///     ship.addedMass.atInfinity(Heave, Heave);                // A_33(∞)
 ///     atSpeed(ship, omega, speed, ship.forwardSpeed).damping  // at any ω and U: ForwardSpeed.h
 namespace cutwater {
+
+class WetSurface;
 
 /// Where the numbers come from.
 struct Provenance {
@@ -27,7 +30,7 @@ enum class ForwardSpeedForm {
   Tuck     ///< Tuck's theorem without its line integral: Z(U) = S Z⁰ Sᴴ
 };
 /// What files and commands call them.
-inline constexpr EnumNames<2> kForwardSpeedNames{"report", "tuck"};
+inline constexpr std::array kForwardSpeedNames{"report", "tuck"};
 
 /// F_D [N/m, N·m/m] on a grid of conditions, form of `Coefficients::forwardSpeed`.
 struct DiffractionTable {
@@ -133,14 +136,16 @@ struct CoefficientTables {
   DiffractionTable diffractionTable;
 
   /// Frequencies of `omega` whose condition number is above the user's envelope: 1, else 0. Their
-  /// A, B, ∂A, ∂B, F_D and adjoint vectors are interpolated from the others. Empty: no mask. [M03]
-  /// 5.7
+  /// A, B, ∂A, ∂B, F_D and adjoint vectors are interpolated from the others ([M03] 5.7). Empty: no
+  /// mask.
   std::vector<int> masked;
   /// The envelopes themselves, pairs (ω, limit), of the even and odd systems.
   std::vector<std::pair<double, double>> conditionLimitEven, conditionLimitOdd;
 
-  /// The solver's panels are those of solverPanels(ship.wetSurface, ship.symmetric, curvedPanels).
+  /// The solver moved its panels out to the curved surface of the hull.
   bool curvedPanels = false;
+  /// The wet surface, from which the solver's panels are made (geometry/panels/WetSurface.h).
+  WetSurface wet() const noexcept;
 
   /// ‖D‖·‖D⁻¹‖ of the even and odd systems (a hull without symmetry fills only `conditionEven`).
   std::vector<double> conditionEven, conditionOdd;
@@ -161,7 +166,7 @@ enum class CoefficientStatus {
   Unfinished  ///< solved on too coarse a grid for a memory: for the frequency domain only
 };
 /// What files and commands call them.
-inline constexpr EnumNames<3> kCoefficientStatusNames{"given", "finished", "unfinished"};
+inline constexpr std::array kCoefficientStatusNames{"given", "finished", "unfinished"};
 
 struct SolverOutput;
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
+#include "hydro/base/EnumNames.h"
 
 namespace cutwater {
 

@@ -9,7 +9,7 @@
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/database/Interpolation.h"
 #include "hydro/excitation/WaveExcitation.h"
-#include "hydro/geometry/panels/SolverPanels.h"
+#include "hydro/geometry/panels/WetSurface.h"
 #include "hydro/incident/IncidentWaveForce.h"
 #include "hydro/incident/SmallPanels.h"
 
@@ -31,11 +31,6 @@ double reachOf(double omega, double length, double gravity) {
 /// [rad] from node to node: waves shorter than the ship push it less and less, and may be as much
 /// coarser.
 double phaseStep(double reach) { return kPhaseStep * std::sqrt(std::max(1.0, reach / 8.0)); }
-
-double lengthOf(const SurfaceMesh& mesh) {
-  const Bounds box = bounds(mesh);
-  return box.high.x() > box.low.x() ? box.high.x() - box.low.x() : 1.0;
-}
 
 /// Orthonormal directions that hold all columns to `error` of the largest, the longest remainder
 /// first.
@@ -80,13 +75,12 @@ std::vector<double> gridFrequencies(const SeaState& sea, double length) {
 
 }  // namespace
 
-ExcitationTable::ExcitationTable(const Coefficients& c, const SeaState& sea,
-                                 std::optional<ForwardSpeedForm> form)
+ExcitationTable::ExcitationTable(const Coefficients& c, const SeaState& sea, ForwardSpeedForm form)
     : sea_(sea),
-      form_(form.value_or(c.forwardSpeed)),
+      form_(form),
       symmetric_(c.ship.symmetric),
       hasVectors_(!c.adjoint.empty() && !c.ship.wetSurface.faces.empty()),
-      length_(lengthOf(c.ship.wetSurface)) {
+      length_(c.wet().empty() ? 1.0 : c.ship.length()) {
   if (sea.components().empty()) return;
   checkComponents(c);
   if (hasVectors_) {
@@ -195,8 +189,8 @@ void ExcitationTable::makeRows(const Coefficients& c) {
   const WaveExcitation direct(c, form_);
   std::vector<SmallPanel> panels, faces;
   if (hasVectors_) {
-    panels = smallPanels(solverPanels(c.ship.wetSurface, symmetric_, c.curvedPanels), c.ship.cog);
-    faces = smallPanels(makePanels(triangulated(c.ship.wetSurface), symmetric_), c.ship.cog);
+    panels = smallPanels(c.wet().panels(), c.ship.cog);
+    faces = smallPanels(c.wet().faces(), c.ship.cog);
   }
   const auto fill = [&](const AiryWave& wave, double* at) {
     if (hasVectors_) {

@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "hydro/database/Coefficients.h"
@@ -27,12 +26,11 @@ class ExcitationTable {
     CVec6 froudeKrylov, diffraction;
   };
 
-  /// @param form  of the forward-speed terms; absent: the database's own.
+  /// @param form  of the forward-speed terms.
   /// @throws HydroError ValueOutOfRange, naming the component, above the database's last frequency;
   ///         as WaveExcitation::at for a database without adjoint vectors, whose tables must hold
   ///         all headings and whose diffraction is that at rest at every speed.
-  ExcitationTable(const Coefficients& coefficients, const SeaState& sea,
-                  std::optional<ForwardSpeedForm> form = {});
+  ExcitationTable(const Coefficients& coefficients, const SeaState& sea, ForwardSpeedForm form);
 
   const SeaState& sea() const noexcept { return sea_; }
   /// The two parts of one component, apart: a ship asks for each in a part of its load.

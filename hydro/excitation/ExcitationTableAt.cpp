@@ -98,8 +98,11 @@ ExcitationTable::VectorNodes ExcitationTable::vectorNodes(double omega) const no
 CVec6 ExcitationTable::fromDirections(double* q, const Encounter& met) const noexcept {
   const auto [weights, nodes] = vectorNodes(met.frequency());
   if (met.overtaking()) {  // of v*
-    for (std::size_t p = 0, at = rank_[0]; p < 2; ++p, at += rank_[0] + rank_[1])
-      for (std::size_t i = 0; i < rank_[p]; ++i) q[at + i] = -q[at + i];
+    const std::size_t imaginaryPart[2] = {rank_[0], 2 * rank_[0] + rank_[1]};
+    for (std::size_t p = 0; p < 2; ++p) {
+      double* im = q + imaginaryPart[p];
+      for (std::size_t i = 0; i < rank_[p]; ++i) im[i] = -im[i];
+    }
   }
   CVec6 force = CVec6::Zero();
   for (std::size_t n = 0; n < 4; ++n) {

@@ -8,7 +8,7 @@
 #include "hydro/Errors.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/database/Interpolation.h"
-#include "hydro/geometry/panels/SolverPanels.h"
+#include "hydro/geometry/panels/WetSurface.h"
 
 namespace cutwater {
 
@@ -40,8 +40,14 @@ Bracket bracket(const std::vector<double>& headings, double beta) {
     const double distance = std::remainder(headings[i] - beta, kTurn);
     const double ahead = distance < -kSame ? distance + kTurn : std::max(distance, 0.0);
     const double behind = distance > kSame ? kTurn - distance : std::max(-distance, 0.0);
-    if (behind < below) below = behind, found.low = i;
-    if (ahead < above) above = ahead, found.high = i;
+    if (behind < below) {
+      below = behind;
+      found.low = i;
+    }
+    if (ahead < above) {
+      above = ahead;
+      found.high = i;
+    }
   }
   found.gap = below + above;
   found.weight = found.gap > kSame ? below / found.gap : 0.0;
@@ -95,14 +101,12 @@ void checkOmega(const CoefficientTables& c, double omegaI) {
 
 }  // namespace
 
-WaveExcitation::WaveExcitation(const CoefficientTables& coefficients,
-                               std::optional<ForwardSpeedForm> form)
-    : coefficients_(coefficients), form_(form.value_or(coefficients.forwardSpeed)) {
-  if (!coefficients.ship.wetSurface.faces.empty()) {
-    const ShipParticulars& ship = coefficients.ship;
-    panels_ = solverPanels(ship.wetSurface, ship.symmetric, coefficients.curvedPanels);
-    faces_ = makePanels(triangulated(ship.wetSurface), ship.symmetric);
-  }
+WaveExcitation::WaveExcitation(const CoefficientTables& coefficients, ForwardSpeedForm form)
+    : coefficients_(coefficients), form_(form) {
+  const WetSurface wet = coefficients.wet();
+  if (wet.empty()) return;
+  panels_ = wet.panels();
+  faces_ = wet.faces();
 }
 
 WaveExcitation::Force WaveExcitation::at(double omegaI, double heading, double speed) const {

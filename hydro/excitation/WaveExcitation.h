@@ -1,6 +1,4 @@
 #pragma once
-#include <optional>
-
 #include "hydro/database/Coefficients.h"
 #include "hydro/geometry/panels/PanelMesh.h"
 #include "hydro/incident/IncidentWaveForce.h"
@@ -32,9 +30,11 @@ class WaveExcitation {
   };
 
   /// @param coefficients must outlive this object.
-  /// @param form  of the forward-speed terms; absent: the database's own.
-  explicit WaveExcitation(const CoefficientTables& coefficients,
-                          std::optional<ForwardSpeedForm> form = {});
+  /// @param form  of the forward-speed terms.
+  WaveExcitation(const CoefficientTables& coefficients, ForwardSpeedForm form);
+  /// In the database's own form.
+  explicit WaveExcitation(const CoefficientTables& coefficients)
+      : WaveExcitation(coefficients, coefficients.forwardSpeed) {}
 
   /// @param omegaI ω_I [rad/s], 0 < ω_I ≤ the database's last frequency, whose waves the panels are
   ///               made for. Tables are held below their first frequency.

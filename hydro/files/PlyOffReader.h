@@ -11,7 +11,7 @@ namespace cutwater {
 /// Reads PLY, text and both binary kinds; `vertex` x, y, z and `face` vertex_indices (or
 /// vertex_index), all else skipped.
 /// @param file  whole file.  @param name  for messages.
-/// @throws HydroError FileMalformed, MeshEmpty, MeshNotFinite, MeshIndexOutOfRange.
+/// @throws HydroError FileMalformed, MeshNotFinite, MeshIndexOutOfRange.
 SurfaceMesh parsePly(const std::string& file, const std::string& name);
 
 /// Reads OFF and its variants with more numbers a vertex (COFF, NOFF, …); those are skipped.

@@ -1,5 +1,7 @@
 #include "hydro/finish/ConsistentLimit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -13,9 +15,15 @@ namespace {
 
 constexpr double kToDampingX = 0.5,
                  kFromDampingX = 0.8;  // of the last frequency used: ∂A becomes ∂B's
+/// A(∞) from one frequency is as far off as this: a resonance that deserves to be named.
+constexpr double kResonance = 0.2;
+
+Mat6 relative(const Mat6& difference, const Vec6& size) {
+  return difference.cwiseQuotient(size * size.transpose()).cwiseAbs();
+}
 
 double largest(const Mat6& difference, const Vec6& size) {
-  return difference.cwiseQuotient(size * size.transpose()).cwiseAbs().maxCoeff();
+  return relative(difference, size).maxCoeff();
 }
 
 /// √A_jj, but not less than a trifle of the translations', so that a mode without added mass (the
@@ -27,6 +35,28 @@ Vec6 sizeOf(const Mat6& addedMass, double volume) {
   size.head<3>() = size.head<3>().cwiseMax(least);
   size.tail<3>() = size.tail<3>().cwiseMax(least * length * length);
   return size.cwiseSqrt();
+}
+
+/// Of each entry by itself.
+Mat6 medianOf(const std::vector<Mat6>& values) {
+  Mat6 median = Mat6::Zero();
+  std::vector<double> sorted(values.size());
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  for (int n = 0; n < 36; ++n) {
+    std::transform(values.begin(), values.end(), sorted.begin(),
+                   [n](const Mat6& value) { return value(n / 6, n % 6); });
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    median(n / 6, n % 6) = *middle;
+  }
+  return median;
+}
+
+/// A(∞) from each of the frequencies that the memory uses.
+std::vector<Mat6> limitsOf(const Coefficients& c, const RetardationMatrix& memory) {
+  std::vector<Mat6> values;
+  for (std::size_t i = 0; i < resolvedCount(c); ++i)
+    values.push_back(memory.addedMassInf(c.omega[i], c.addedMass[i]));
+  return values;
 }
 
 /// B, A, ∂B above the last frequency that the panels resolve, and ∂A from 0.5 of it on, become the
@@ -63,13 +93,48 @@ ConsistentLimit consistentLimit(const Coefficients& c, const RetardationMatrix& 
   }
   limit.distance = largest(direct - limit.addedMassInf, size);
   limit.trusted = limit.scatter < kLargestScatter && limit.distance < kLargestDistance;
+  limit.median = medianOf(limitsOf(c, memory));
+  limit.medianDistance = largest(direct - limit.median, size);
   return limit;
 }
 
+std::string resonanceWarning(const Coefficients& c) {
+  if (!c.hasConsistentLimit()) return {};
+  const RetardationMatrix memory(c);
+  const Vec6 size = sizeOf(c.addedMass.atInfinity, c.ship.volume);
+  double scatter = 0.0;
+  for (const Mat6& value : overMiddleBand(c, [&](std::size_t i) -> Mat6 {
+         return memory.addedMassInf(c.omega[i], c.addedMass[i]);
+       }))
+    scatter = std::max(scatter, largest(value - c.addedMass.atInfinity, size));
+  if (scatter < 1.5 * kLargestScatter) return {};  // the mean was within it of each
+
+  const std::vector<Mat6> values = limitsOf(c, memory);
+  std::vector<double> off;
+  for (const Mat6& value : values) off.push_back(largest(value - c.addedMass.atInfinity, size));
+  const double worst = *std::max_element(off.begin(), off.end());
+  std::string places;
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    const bool peak =
+        (i == 0 || off[i] >= off[i - 1]) && (i + 1 == off.size() || off[i] > off[i + 1]);
+    if (!peak || off[i] < std::min(worst, kResonance)) continue;
+    Eigen::Index mode = 0;
+    relative(values[i] - c.addedMass.atInfinity, size).diagonal().maxCoeff(&mode);
+    places +=
+        fmt::format("{}{} near {:.3g}", places.empty() ? "" : ", ", kModeNames[mode], c.omega[i]);
+  }
+  return fmt::format(
+      "resonances are narrower than the steps of the frequency grid: {} rad/s. There motions in "
+      "the "
+      "time domain are not right. Smaller steps make them better, and a lid or a mask if the water "
+      "inside the hull resounds",
+      places);
+}
+
 void continueConsistently(Coefficients& c, const RetardationMatrix& memory,
-                          const ConsistentLimit& limit) {
+                          const Mat6& addedMassInf) {
   c.addedMassInfDirect = c.addedMass.atInfinity;
-  c.addedMass.atInfinity = limit.addedMassInf;
+  c.addedMass.atInfinity = addedMassInf;
   continueAbove(c, memory);
   if (memory.hasSpeedTerms()) c.addedMassX.atInfinity = memory.addedMassXInf();
 }

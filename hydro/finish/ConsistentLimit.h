@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include "hydro/memory/RetardationMatrix.h"
 
 namespace cutwater {
@@ -18,18 +20,29 @@ struct ConsistentLimit {
   double distance = 0.0;
   /// Scatter and distance are below their bounds: the data reach far enough and are fine enough.
   bool trusted = false;
+
+  /// For data with resonances narrower than the steps, whose values near them are far off: the
+  /// median over all resolved frequencies, entry by entry, and its distance as above.
+  Mat6 median = Mat6::Zero();
+  double medianDistance = 0.0;
 };
 inline constexpr double kLargestScatter = 0.02, kLargestDistance = 0.1;
+/// Beyond this the median says nothing either.
+inline constexpr double kLargestMedianDistance = 0.5;
 
 /// @param memory  of the same coefficients.
 ConsistentLimit consistentLimit(const Coefficients& coefficients, const RetardationMatrix& memory);
 
-/// Puts the limit into place as `addedMass.atInfinity` and keeps the solver's own as
+/// Where A(ω) and B(ω) do not belong together: the frequencies at which the limit that they give is
+/// furthest from A(∞), in one line with the modes; empty if they scatter as little as they should.
+std::string resonanceWarning(const Coefficients& coefficients);
+
+/// Puts a limit into place as `addedMass.atInfinity` and keeps the solver's own as
 /// `addedMassInfDirect`. Above `resolvedOmega` = Ω′ A and B become the memory's continuation: B by
 /// its tail, A = A(∞) − (1/ω)∫K sin ωτ dτ, and ∂A, ∂B likewise with a consistent ∂A(∞). ∂A does so
 /// earlier: from 0.5 Ω′ to 0.8 Ω′ it goes over from the solver's to ∂A(∞) − (1/ω)∫∂K sin ωτ dτ of
 /// ∂B, which there is the better value (decision 0045).
 void continueConsistently(Coefficients& coefficients, const RetardationMatrix& memory,
-                          const ConsistentLimit& limit);
+                          const Mat6& addedMassInf);
 
 }  // namespace cutwater

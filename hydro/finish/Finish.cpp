@@ -39,7 +39,11 @@ Coefficients finish(SolverOutput output) {
   const RetardationMatrix memory(c, ForwardSpeedForm::Report);
   const ConsistentLimit limit = consistentLimit(c, memory);
   if (limit.trusted && grid.leastCount) {
-    continueConsistently(c, memory, limit);
+    continueConsistently(c, memory, limit.addedMassInf);
+    c.status = CoefficientStatus::Finished;
+  } else if (grid.suffices() && limit.medianDistance < kLargestMedianDistance) {
+    // A resonance, between the hulls of a catamaran say, which no usual grid resolves.
+    continueConsistently(c, memory, limit.median);
     c.status = CoefficientStatus::Finished;
   } else {
     setUnfinished(c, unfinishedReason(grid, limit));

@@ -12,7 +12,9 @@ namespace cutwater {
 /// 3. A(∞) is replaced by the one that A(ω) and B(ω) imply, so that time and frequency domain
 ///    agree; A, B, ∂A and ∂B above the resolved frequencies are continued by the memory's tail.
 /// The result is `Finished`. Where the grid is too coarse, too short or one frequency, step 3 is
-/// left out and the result is `Unfinished`, with the reason and the grid that would do.
+/// left out and the result is `Unfinished`, with the reason and the grid that would do. Resonances
+/// narrower than the steps of a grid that is fine enough otherwise, such as those of the water
+/// between two hulls, do not hinder: resonanceWarning (ConsistentLimit.h) names them.
 /// @throws HydroError DatabaseIncomplete: the condition limits leave fewer than two frequencies;
 ///         ValueOutOfRange, FrequenciesNotIncreasing: bad condition limits.
 Coefficients finish(SolverOutput output);

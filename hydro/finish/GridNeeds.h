@@ -23,6 +23,9 @@ struct GridNeeds {
   bool coarse() const { return step > neededStep * (1.0 + 1e-9); }
   bool beginsHigh() const { return first > 2.0 * neededStep * (1.0 + 1e-9); }
   bool endsLow() const { return last < neededLast * (1.0 - 1e-9); }
+  /// The grid is fine and long enough for usual ships; damping that rises and falls faster, as that
+  /// of hulls with full ends, may need more.
+  bool suffices() const { return leastCount && !coarse() && !beginsHigh() && !endsLow(); }
   /// What is wrong with the grid and what would do; empty if it meets both needs.
   std::vector<std::string> advice() const;
 };

@@ -7,7 +7,7 @@
 #include "hydro/Errors.h"
 #include "hydro/database/Interpolation.h"
 #include "hydro/database/IrregularFrequencies.h"
-#include "hydro/geometry/panels/SolverPanels.h"
+#include "hydro/geometry/panels/WetSurface.h"
 #include "hydro/incident/IncidentWaveForce.h"
 
 namespace cutwater {
@@ -84,9 +84,7 @@ void applyMask(Coefficients& c) {
   }
   const Coefficients good = regularPart(c, kept);
   PanelMesh panels;
-  if (!c.adjoint.empty() && !c.ship.wetSurface.faces.empty()) {
-    panels = solverPanels(c.ship.wetSurface, c.ship.symmetric, c.curvedPanels);
-  }
+  if (!c.adjoint.empty() && !c.wet().empty()) panels = c.wet().panels();
   for (std::size_t i = 0; i < c.omega.size(); ++i) {
     if (kept[i]) continue;
     fillRadiation(c, good, i);

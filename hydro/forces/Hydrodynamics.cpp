@@ -23,29 +23,21 @@ Bounds boundsOf(const ShipParticulars& ship) {
   return bounds(ship.hull.vertices.empty() ? ship.wetSurface : ship.hull);
 }
 
-/// A file without a hull: a ship is about five cube roots of its volume long.
-double lengthOf(const ShipParticulars& ship) {
-  const Bounds box = boundsOf(ship);
-  const double length = box.high.x() - box.low.x();
-  return length > 0.0 ? length : 5.0 * std::cbrt(std::max(ship.volume, 1e-9));
-}
-
 }  // namespace
 
 Hydrodynamics::Hydrodynamics(std::shared_ptr<const Coefficients> coefficients,
                              std::optional<ForwardSpeedForm> form)
     : coefficients_(std::move(coefficients)),
       form_(form.value_or(usableForm(checked(coefficients_)))),
-      length_(lengthOf(coefficients_->ship)),
+      length_(coefficients_->ship.lengthOverall()),
       keel_(std::min(0.0, boundsOf(coefficients_->ship).low.z())) {}
 
 Hydrodynamics::~Hydrodynamics() = default;
 
-std::shared_ptr<const RadiationModel> Hydrodynamics::radiation(MemoryModel memory) const {
+std::shared_ptr<const RadiationModel> Hydrodynamics::radiation() const {
   const std::lock_guard lock(mutex_);
-  auto& model = radiation_[static_cast<std::size_t>(memory)];
-  if (!model) model = std::make_shared<RadiationModel>(*coefficients_, memory, form_);
-  return model;
+  if (!radiation_) radiation_ = std::make_shared<RadiationModel>(*coefficients_, form_);
+  return radiation_;
 }
 
 std::shared_ptr<const Hydrodynamics> readHydrodynamics(const std::string& path,

@@ -1,12 +1,10 @@
 #pragma once
-#include <array>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 
 #include "hydro/database/Coefficients.h"
-#include "hydro/memory/MemoryModel.h"
 
 namespace cutwater {
 
@@ -35,16 +33,15 @@ class Hydrodynamics {
   double length() const noexcept { return length_; }  ///< of the hull, or of its panels [m]
   double keel() const noexcept { return keel_; }      ///< lowest point, hull axes [m]
 
-  /// Retardation functions and, for MemoryModel::Exponential, their fit. Made once for each model,
-  /// a quarter of a second for 60 frequencies.  @throws HydroError as RadiationModel.
-  std::shared_ptr<const RadiationModel> radiation(MemoryModel memory) const;
+  /// Retardation functions and their fit, made once.  @throws HydroError as RadiationModel.
+  std::shared_ptr<const RadiationModel> radiation() const;
 
  private:
   std::shared_ptr<const Coefficients> coefficients_;
   ForwardSpeedForm form_;
   double length_, keel_;
   mutable std::mutex mutex_;
-  mutable std::array<std::shared_ptr<const RadiationModel>, 2> radiation_;  // of each MemoryModel
+  mutable std::shared_ptr<const RadiationModel> radiation_;
 };
 
 /// Reads a database (CoefficientsFile.h) to be shared by ships.

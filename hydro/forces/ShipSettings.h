@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "hydro/Conventions.h"
-#include "hydro/memory/MemoryModel.h"
 
 /// Where a ship starts and what acts on it: plain data, known to run files as to programs.
 namespace cutwater {
@@ -14,6 +13,12 @@ namespace cutwater {
 enum class Mean {
   Fixed,    ///< a straight line at constant speed, whatever the ship does: a towing tank, and [M03]
   Filtered  ///< follows the ship slowly (MeanCourse.h): a free ship, to be driven and turned
+};
+
+/// How the memory of radiated waves is computed.
+enum class MemoryModel {
+  Exponential,  ///< a sum of damped oscillations; the default
+  Convolution   ///< the convolution itself, slower by a factor of ten or more: for comparison
 };
 
 /// Where a ship starts. SI units and E (z up) whatever the world's are.

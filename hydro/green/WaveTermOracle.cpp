@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace cutwater::oracle {
 namespace {
@@ -130,8 +131,10 @@ Smooth smoothBySeries(double R, double alpha) {
     const double dwNext =
         ((n + m) * (w + alpha * dw) - n * dwBefore + 2.0 * (p + alpha * dp) - dpNext - dpBefore) /
         m;
-    pBefore = p, p = pNext, dpBefore = dp, dp = dpNext;
-    wBefore = w, w = wNext, dwBefore = dw, dw = dwNext;
+    pBefore = std::exchange(p, pNext);
+    dpBefore = std::exchange(dp, dpNext);
+    wBefore = std::exchange(w, wNext);
+    dwBefore = std::exchange(dw, dwNext);
     digamma += 1.0 / m;
     powerBefore = -power / m;
     power *= -R / m;

@@ -104,12 +104,13 @@ std::vector<Channel> channelsOf(const Spectrum& s) {
   }
   std::vector<Channel> channels;
   double share = 1.0;
-  for (std::size_t part = 0; part < 3; ++part, share *= kSpeeds[4]) {
+  for (std::size_t part = 0; part < 3; ++part) {
     for (int n = 0; n < 36; ++n) {
       const int j = n / 6, k = n % 6;
       const double size = std::sqrt(largest[0](j, j) * largest[0](k, k));
       if (share * largest[part](j, k) > kNegligible * size) channels.push_back({j, k, part});
     }
+    share *= kSpeeds[4];
   }
   return channels;
 }

@@ -2,19 +2,23 @@
 
 namespace cutwater {
 
-RadiationModel::RadiationModel(const Coefficients& coefficients, MemoryModel memory,
-                               std::optional<ForwardSpeedForm> form)
-    : retardation_(coefficients, form), memory_(memory) {
-  if (memory == MemoryModel::Exponential)
-    sum_ = std::make_unique<ExponentialSum>(retardation_, coefficients.addedMass.atInfinity);
+RadiationModel::RadiationModel(const Coefficients& coefficients, ForwardSpeedForm form)
+    : retardation_(coefficients, form), addedMassInf_(coefficients.addedMass.atInfinity) {}
+
+const ExponentialSum& RadiationModel::sum() const {
+  const std::lock_guard lock(mutex_);
+  if (!sum_) sum_ = std::make_unique<ExponentialSum>(retardation_, addedMassInf_);
+  return *sum_;
 }
 
 std::unique_ptr<RadiationMemory> RadiationModel::makeMemory(double step) const {
-  if (sum_) return std::make_unique<ExponentialMemory>(*sum_, step);
+  return std::make_unique<ExponentialMemory>(sum(), step);
+}
+
+std::unique_ptr<RadiationMemory> RadiationModel::makeConvolution(double step) const {
   const std::lock_guard lock(mutex_);
-  if (!weights_ || weights_->step() != step) {
+  if (!weights_ || weights_->step() != step)
     weights_ = std::make_shared<ConvolutionWeights>(retardation_, step);
-  }
   return std::make_unique<Convolution>(weights_);
 }
 

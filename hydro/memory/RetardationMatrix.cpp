@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "hydro/Errors.h"
@@ -71,9 +72,8 @@ Sampler(std::span<const double>, const Vec6&, Value)->Sampler<Value>;
 
 }  // namespace
 
-RetardationMatrix::RetardationMatrix(const Coefficients& coefficients,
-                                     std::optional<ForwardSpeedForm> form)
-    : form_(form.value_or(coefficients.forwardSpeed)) {
+RetardationMatrix::RetardationMatrix(const Coefficients& coefficients, ForwardSpeedForm form)
+    : form_(form) {
   requireFinished(coefficients, "RetardationMatrix");
   const Vec6 scale = dampingScale(coefficients);
   const std::size_t count = std::min(resolvedCount(coefficients), coefficients.damping.size());

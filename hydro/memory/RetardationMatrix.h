@@ -1,5 +1,4 @@
 #pragma once
-#include <optional>
 #include <vector>
 
 #include "hydro/database/Coefficients.h"
@@ -32,10 +31,12 @@ using SpeedKernels = SpeedParts<Mat6>;
 /// Frequencies above Coefficients::resolvedOmega are left to the tail.
 class RetardationMatrix {
  public:
-  /// @param form  of the forward-speed terms; absent: the database's own.
+  /// @param form  of the forward-speed terms.
   /// @throws HydroError DatabaseIncomplete: unfinished coefficients; else as RetardationFunction.
-  explicit RetardationMatrix(const Coefficients& coefficients,
-                             std::optional<ForwardSpeedForm> form = {});
+  RetardationMatrix(const Coefficients& coefficients, ForwardSpeedForm form);
+  /// In the database's own form.
+  explicit RetardationMatrix(const Coefficients& coefficients)
+      : RetardationMatrix(coefficients, coefficients.forwardSpeed) {}
 
   Mat6 at(double tau) const;                 ///< K⁰(τ) [unit of B / s]
   Mat6 integral(double tau) const;           ///< ∫₀^τ K⁰ dτ [unit of B]

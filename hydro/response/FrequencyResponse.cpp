@@ -7,6 +7,7 @@
 
 #include "hydro/Errors.h"
 #include "hydro/database/ForwardSpeed.h"
+#include "hydro/excitation/WaveExcitation.h"
 #include "hydro/waves/Encounter.h"
 
 namespace cutwater {
@@ -39,7 +40,7 @@ FrequencyResponse::FrequencyResponse(const CoefficientTables& coefficients,
                                      std::optional<ForwardSpeedForm> form)
     : coefficients_(coefficients),
       form_(form.value_or(coefficients.forwardSpeed)),
-      excitation_(coefficients, form),
+      excitation_(std::make_shared<const WaveExcitation>(coefficients, form_)),
       restrained_(restrained) {
   for (int j = Roll; j <= Yaw; ++j) {
     if (restrained[static_cast<std::size_t>(j)] || coefficients.ship.gyradii[j - Roll] > 0.0)
@@ -54,7 +55,7 @@ CVec6 FrequencyResponse::at(double omegaI, double heading, double speed) const {
   const ShipParticulars& ship = coefficients_.ship;
   const Encounter met(omegaI, speed, heading, ship.gravity);
   const double omega = met.frequency();
-  const CVec6 force = met.conjugatedIfOvertaking(excitation_.at(omegaI, heading, speed).total());
+  const CVec6 force = met.conjugatedIfOvertaking(excitation_->at(omegaI, heading, speed).total());
   Mat6 stiffness = ship.restoring;
   stiffness.diagonal() += ship.supplementary.stiffness;
   CMat6 system = radiationImpedance(coefficients_, omega, speed, form_) +

@@ -1,11 +1,13 @@
 #pragma once
 #include <array>
+#include <memory>
 #include <optional>
 
 #include "hydro/database/Coefficients.h"
-#include "hydro/excitation/WaveExcitation.h"
 
 namespace cutwater {
+
+class WaveExcitation;
 
 /// Motions in regular waves by the frequency domain, at forward speed U:
 ///   {−ω_e²(M + A(U)) + iω_e(B(U) + B_s) + (C + C_s)} η̂ = F_I + F_D                [M03] (5)
@@ -27,14 +29,17 @@ class FrequencyResponse {
 
   /// η̂ [m/m, rad/m] about G per metre of wave amplitude, crest over G's mean position at t = 0.
   /// @param omegaI ω_I [rad/s].  @param heading β [rad].  @param speed U [m/s].
-  /// @throws HydroError as WaveExcitation::at and atSpeed; MatrixSingular, naming the modes, if a
-  ///         free mode has no stiffness, inertia or damping at all: surge and sway at ω′ = 0.
+  /// @throws HydroError ValueOutOfRange: ω_I beyond the database's last frequency, or ω_e where the
+  ///         database has no vectors for ω = ∞; a speed, heading or frequency that its tables lack.
+  ///         DatabaseIncomplete: no excitation, or none at a speed. MatrixSingular, naming the
+  ///         modes: a free mode has no stiffness, inertia or damping at all, as surge and sway at
+  ///         ω′ = 0.
   CVec6 at(double omegaI, double heading, double speed = 0.0) const;
 
  private:
   const CoefficientTables& coefficients_;
   ForwardSpeedForm form_;
-  WaveExcitation excitation_;
+  std::shared_ptr<const WaveExcitation> excitation_;
   std::array<bool, 6> restrained_;
 };
 

@@ -10,14 +10,25 @@ Mat6 ShipParticulars::massMatrix() const {
   return diagonal.asDiagonal();
 }
 
+namespace {
+
+double lengthOf(const SurfaceMesh& mesh) {
+  const Bounds box = bounds(mesh);
+  return box.high.x() - box.low.x();
+}
+
+}  // namespace
+
 double ShipParticulars::length() const {
-  if (wetSurface.vertices.empty()) return std::cbrt(volume);
-  const Bounds wet = bounds(wetSurface);
-  return wet.high.x() - wet.low.x();
+  return wetSurface.vertices.empty() ? 5.0 * std::cbrt(volume) : lengthOf(wetSurface);
+}
+
+double ShipParticulars::lengthOverall() const {
+  return hull.vertices.empty() ? length() : lengthOf(hull);
 }
 
 double ShipParticulars::beam() const {
-  if (wetSurface.vertices.empty()) return 0.1 * length();
+  if (wetSurface.vertices.empty()) return length() / 7.0;
   const Bounds wet = bounds(wetSurface);
   return symmetric ? 2.0 * wet.high.y() : wet.high.y() - wet.low.y();
 }

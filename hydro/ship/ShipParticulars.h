@@ -33,10 +33,12 @@ struct ShipParticulars {
 
   /// Rigid-body mass matrix about G: diag(m, m, m, m r_xx², m r_yy², m r_zz²).
   Mat6 massMatrix() const;
-  /// Of the wet surface, along and across [m]; without one the cube root of the volume and a tenth
-  /// of it.
+  /// Of the wet surface, along and across [m]; without one as a ship of that volume: five cube
+  /// roots of it, and a seventh of that.
   double length() const;
   double beam() const;
+  /// Of the hull, above water too [m]; without a hull length().
+  double lengthOverall() const;
 };
 
 }  // namespace cutwater

@@ -1,6 +1,7 @@
 #include "hydro/solve/Solve.h"
 
 #include "hydro/bem/BuildCoefficients.h"
+#include "hydro/finish/ConsistentLimit.h"
 #include "hydro/finish/Finish.h"
 #include "hydro/finish/GridNeeds.h"
 #include "hydro/memory/RetardationMatrix.h"
@@ -16,13 +17,14 @@ std::vector<std::string> gridWarnings(const Coefficients& c) {
   if (c.status == CoefficientStatus::Unfinished) {
     return {
         "the database is unfinished, for coefficients, excitation and motions in the frequency "
-        "domain "
-        "only: " +
+        "domain only: " +
         c.unfinishedBecause};
   }
   std::vector<std::string> lines = GridNeeds(c).advice();
   for (std::string& line : lines)
     line = "the memory of a ship under way (K^UU) is not accurate: " + line;
+  if (std::string resonances = resonanceWarning(c); !resonances.empty())
+    lines.push_back(std::move(resonances));
   return lines;
 }
 

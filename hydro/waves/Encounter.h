@@ -18,8 +18,8 @@ namespace cutwater {
 /// answers conjugated. At ω′ = 0 both ways agree.
 class Encounter {
  public:
-  /// @param omegaI ω_I [rad/s].  @param speed U [m/s].  @param heading β [rad].  @param gravity
-  ///         [m/s²].
+  /// @param omegaI ω_I [rad/s].  @param speed U [m/s].
+  /// @param heading β [rad].  @param gravity [m/s²].
   Encounter(double omegaI, double speed, double heading, double gravity) noexcept
       : speed_(speed), signed_(encounterFrequency(omegaI, speed, heading, gravity)) {}
   Encounter(const AiryWave& wave, double speed) noexcept

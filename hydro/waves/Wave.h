@@ -3,8 +3,9 @@
 
 namespace cutwater {
 
-/// ω′ = ω_I − kU cos β, k = ω_I²/g: the frequency at which a ship of speed U meets the wave. [M03]
-/// (3) Negative where the ship overtakes the wave (following seas, U cos β > g/ω_I): Encounter.h.
+/// The frequency at which a ship of speed U meets the wave:
+///     ω′ = ω_I − kU cos β,   k = ω_I²/g                                           [M03] (3)
+/// Negative where the ship overtakes the wave (following seas, U cos β > g/ω_I): Encounter.h.
 /// @param omegaI [rad/s].  @param speed U [m/s].  @param heading β [rad].  @param gravity [m/s²].
 double encounterFrequency(double omegaI, double speed, double heading, double gravity) noexcept;
 

@@ -6,7 +6,7 @@ namespace cutwater {
 namespace {
 
 enum class Colour { Red, Green };
-constexpr EnumNames<2> kColourNames{"red", "green"};
+constexpr std::array kColourNames{"red", "green"};
 
 TEST(EnumNames, ANameAndItsEnumeratorAreFoundFromEachOther) {
   EXPECT_STREQ(nameOf(kColourNames, Colour::Green), "green");

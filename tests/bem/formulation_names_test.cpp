@@ -3,6 +3,7 @@
 #include <set>
 #include <string>
 
+#include "hydro/base/EnumNames.h"
 #include "hydro/bem/settings/Formulation.h"
 
 // The names of the solver's choices in files and commands.
@@ -10,7 +11,7 @@ namespace cutwater {
 namespace {
 
 template <class Enum, std::size_t count>
-void expectNames(const EnumNames<count>& names,
+void expectNames(const std::array<const char*, count>& names,
                  const std::array<std::pair<Enum, const char*>, count>& wanted) {
   std::set<std::string> different;
   for (const auto& [value, name] : wanted) {

@@ -149,7 +149,7 @@ void benchParts(std::string& csv, const Shared& c) {
     const std::string name = memory == MemoryModel::Exponential ? "tick: radiation, exponential sum"
                                                                 : "tick: radiation, convolution";
     for (const double speed : {0.0, 10.0}) {
-      Radiation part(c->radiation(memory));
+      Radiation part(c->radiation(), false, memory);
       part.prepare(kTick60);
       benchPart(csv, name + (speed > 0.0 ? ", under way" : ", at rest"), c, [&](TickInput& m) {
         m.speed = speed;

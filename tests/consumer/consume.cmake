@@ -1,5 +1,6 @@
 # Installs Cutwater from its build folder into a fresh prefix, builds project/ against it, runs it.
-#   cmake -D BUILD=folder -D WORK=scratch -D PROJECT=folder -D COMPILER=c++ -P consume.cmake
+#   cmake -D BUILD=folder -D WORK=scratch -D PROJECT=folder -D MESH=sphere -D COMPILER=c++
+#         -P consume.cmake
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
@@ -28,7 +29,7 @@ foreach(precision float float64)
   endif()
 endforeach()
 # That file alone makes a ship.
-run(${WORK}/build/consumer_solver ${WORK}/sphere.h5)
+run(${WORK}/build/consumer_solver ${MESH} ${WORK}/sphere.h5)
 foreach(precision float float64)
   run(${WORK}/build/consumer_${precision} ${WORK}/sphere.h5)
 endforeach()

@@ -13,6 +13,8 @@ namespace {
 
 using test::tableBox, test::tableSea;
 
+constexpr ForwardSpeedForm kForm = ForwardSpeedForm::Report;
+
 /// Largest distance from direct evaluation at random courses and speeds of each mode's largest;
 /// `overtaken` counts conditions with ω′ < 0.
 double tableError(const Coefficients& c, const SeaState& sea, ForwardSpeedForm form, double fastest,
@@ -55,7 +57,7 @@ TEST(ExcitationTableIdentity, IsDirectEvaluationAtAnyCourseAndSpeedOvertakingOrN
 // length.
 TEST(ExcitationTableIdentity, AWholeHullIsTwiceItsHalf) {
   const SeaState sea = tableSea(6);
-  const ExcitationTable half(tableBox(true), sea), whole(tableBox(false), sea);
+  const ExcitationTable half(tableBox(true), sea, kForm), whole(tableBox(false), sea, kForm);
   for (const double psi : {0.3, 2.0, -1.0})
     for (std::size_t i = 0; i < 6; ++i) {
       const auto a = half.at(i, psi, 4.0), b = whole.at(i, psi, 4.0);
@@ -66,7 +68,8 @@ TEST(ExcitationTableIdentity, AWholeHullIsTwiceItsHalf) {
 }
 
 TEST(ExcitationTableIdentity, AWaveFromTheOtherSideIsTheMirrorImage) {
-  const ExcitationTable table(tableBox(), SeaState({{1.2, 1.0, 0.0, 0.0}}, test::kBoxGravity));
+  const ExcitationTable table(tableBox(), SeaState({{1.2, 1.0, 0.0, 0.0}}, test::kBoxGravity),
+                              kForm);
   for (const double psi : {0.4, 1.9, 3.0})
     for (const double U : {0.0, 5.0}) {
       const auto port = table.at(0, psi, U), starboard = table.at(0, -psi, U);
@@ -85,7 +88,7 @@ TEST(ExcitationTable, HoldsNarrowSeasAndSinglesAndNone) {
   EXPECT_LT(tableError(c, tableSea(60, 1.5, 1.5 + 1e-9), ForwardSpeedForm::Report, 8.0), 0.01);
   EXPECT_LT(tableError(c, tableSea(1), ForwardSpeedForm::Report, 8.0), 0.01);
   EXPECT_LT(tableError(c, tableSea(3), ForwardSpeedForm::Report, 8.0), 0.01);
-  EXPECT_NO_THROW(ExcitationTable(c, SeaState()));
+  EXPECT_NO_THROW(ExcitationTable(c, SeaState(), kForm));
 }
 
 TEST(ExcitationTable, WithoutVectorsDiffractionIsThatAtRest) {
@@ -106,14 +109,15 @@ TEST(ExcitationTable, WithoutVectorsDiffractionIsThatAtRest) {
   c.adjointX = {};
   // On a grid of 15° the database's own straight lines have corners, of which cubics cut 1 %.
   EXPECT_LT(tableError(c, tableSea(), ForwardSpeedForm::Report, 0.0), 0.02);
-  const ExcitationTable table(c, tableSea());
+  const ExcitationTable table(c, tableSea(), kForm);
   EXPECT_EQ(table.at(3, 0.4, 7.0).diffraction, table.at(3, 0.4, 0.0).diffraction);
 }
 
 TEST(ExcitationTable, RefusesSeasBeyondTheDatabaseByNameAndLivesWithoutVectorsOfInfinity) {
   Coefficients c = tableBox();
   try {
-    ExcitationTable(c, SeaState({{1.0, 1.0, 0.0, 0.0}, {4.5, 1.0, 0.0, 0.0}}, test::kBoxGravity));
+    ExcitationTable(c, SeaState({{1.0, 1.0, 0.0, 0.0}, {4.5, 1.0, 0.0, 0.0}}, test::kBoxGravity),
+                    kForm);
     FAIL();
   } catch (const HydroError& error) {
     EXPECT_EQ(error.fault(), Fault::ValueOutOfRange);
@@ -121,13 +125,13 @@ TEST(ExcitationTable, RefusesSeasBeyondTheDatabaseByNameAndLivesWithoutVectorsOf
   }
   c.adjoint.atInfinity.resize(6, 0);
   c.adjointX.atInfinity.resize(6, 0);
-  const ExcitationTable table(c,
-                              tableSea(40, 0.4, 3.9));  // head seas at speed are met beyond 4 rad/s
+  // Head seas at speed are met beyond 4 rad/s.
+  const ExcitationTable table(c, tableSea(40, 0.4, 3.9), kForm);
   EXPECT_TRUE(table.at(39, kPi, 10.0).diffraction.allFinite());
 }
 
 TEST(ExcitationTable, ACourseThatIsNoNumberGivesNone) {
-  const auto table = std::make_shared<ExcitationTable>(tableBox(), tableSea());
+  const auto table = std::make_shared<ExcitationTable>(tableBox(), tableSea(), kForm);
   for (const double bad : {std::nan(""), HUGE_VAL}) {
     EXPECT_FALSE(table->at(0, bad, 1.0).froudeKrylov.allFinite());
     EXPECT_FALSE(table->at(0, 1.0, bad).diffraction.allFinite());

@@ -38,7 +38,7 @@ TEST(ConsistentLimitClosedForm, ContinuesEverythingAboveTheResolvedFrequencies) 
   Coefficients c = roughShip();
   const Mat6 direct = c.addedMass.atInfinity;
   const RetardationMatrix memory(c, ForwardSpeedForm::Report);
-  continueConsistently(c, memory, consistentLimit(c, memory));
+  continueConsistently(c, memory, consistentLimit(c, memory).addedMassInf);
   EXPECT_EQ(c.addedMassInfDirect, direct);
   EXPECT_TRUE(c.hasConsistentLimit());
   for (const auto table : {&Coefficients::addedMass, &Coefficients::damping,
@@ -71,6 +71,40 @@ TEST(ConsistentLimit, IsNotTrustedWhereItScatters) {
   EXPECT_GT(limit.scatter, 0.03);
   EXPECT_LT(limit.distance, kLargestDistance);
   EXPECT_FALSE(limit.trusted);
+}
+
+// A damping that is there at one frequency ω₀ alone, area S under it, adds (2/π)S cos ω₀τ to the
+// memory. So the limit from A(ω) is off by (2/π)S/(ω² − ω₀²): much near ω₀, little elsewhere.
+TEST(ConsistentLimitClosedForm, AResonanceMovesTheMeanNotTheMedian) {
+  const CausalShip ship;
+  Coefficients c = CausalShip().coefficients(0.1, 8.0);
+  c.damping[29](Sway, Sway) *= 20.0;
+  const double S = 0.1 * c.damping[29](Sway, Sway) * 19.0 / 20.0;
+  const RetardationMatrix memory(c);
+  for (const std::size_t i : {std::size_t{4}, std::size_t{14}, std::size_t{59}}) {
+    const double off = 2.0 / kPi * S / (c.omega[i] * c.omega[i] - 9.0);
+    const double found =
+        memory.addedMassInf(c.omega[i], c.addedMass[i])(Sway, Sway) - ship.addedMassInf(Sway, Sway);
+    EXPECT_NEAR(found, off, 0.02 * std::abs(off)) << c.omega[i];  // width of a peak of one step
+  }
+  const ConsistentLimit limit = consistentLimit(c, memory);
+  EXPECT_FALSE(limit.trusted);
+  const double size = ship.addedMassInf(Sway, Sway);
+  // (2/π)S/ω₀², the half of the frequencies below ω₀, is what the median may be off.
+  EXPECT_NEAR(limit.median(Sway, Sway), size, 2.0 / kPi * S / 9.0 * 1.5);
+  EXPECT_NEAR(limit.median(Heave, Heave), ship.addedMassInf(Heave, Heave), 1e-3 * size);
+
+  EXPECT_EQ(resonanceWarning(c), "");  // it has no limit yet
+  continueConsistently(c, memory, limit.median);
+  EXPECT_NE(resonanceWarning(c).find("sway near 3"), std::string::npos) << resonanceWarning(c);
+  EXPECT_EQ(resonanceWarning(c).find("heave"), std::string::npos) << resonanceWarning(c);
+}
+
+TEST(ConsistentLimitIdentity, GoodCoefficientsHaveNoResonances) {
+  Coefficients c = roughShip();
+  const RetardationMatrix memory(c);
+  continueConsistently(c, memory, consistentLimit(c, memory).addedMassInf);
+  EXPECT_EQ(resonanceWarning(c), "");
 }
 
 }  // namespace

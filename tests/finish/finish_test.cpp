@@ -27,7 +27,7 @@ static_assert(!std::is_constructible_v<CoefficientTables, Output>);
 static_assert(
     !std::is_invocable_v<decltype(writeCoefficients), Output, std::string, ImpulseResponse>);
 static_assert(!std::is_constructible_v<RetardationMatrix, Output>);
-static_assert(!std::is_constructible_v<RadiationModel, Output, MemoryModel>);
+static_assert(!std::is_constructible_v<RadiationModel, Output, ForwardSpeedForm>);
 static_assert(!std::is_constructible_v<Hydrodynamics, Output>);
 static_assert(!std::is_invocable_v<decltype(finish), Coefficients>);
 static_assert(std::is_invocable_r_v<Coefficients, decltype(finish), SolverOutput>);
@@ -139,7 +139,7 @@ TEST(Finish, UnfinishedCoefficientsAreRefusedByTheTimeDomain) {
   };
   refused([&] { requireFinished(*c, "test"); });
   refused([&] { RetardationMatrix memory(*c); });
-  refused([&] { RadiationModel model(*c); });
+  refused([&] { RadiationModel model(*c, c->forwardSpeed); });
   refused([&] { Hydrodynamics shared(c); });  // and with it Seaway::addShip
   EXPECT_NO_THROW(requireFinished(Coefficients{}, "given"));
 }

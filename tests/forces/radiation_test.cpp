@@ -11,8 +11,7 @@ namespace cutwater {
 namespace {
 
 std::shared_ptr<const RadiationModel> modelOf(ForwardSpeedForm form) {
-  return std::make_shared<RadiationModel>(test::CausalShip().coefficients(0.2, 20.0),
-                                          MemoryModel::Exponential, form);
+  return std::make_shared<RadiationModel>(test::CausalShip().coefficients(0.2, 20.0), form);
 }
 
 /// Ready for ticks of 0.05 s.

@@ -16,17 +16,18 @@ namespace {
 
 constexpr double kTick = 0.05;  // [s]
 
-const RadiationModel& modelOf(MemoryModel memory) {
-  static const Coefficients ship = test::CausalShip().coefficients(0.1, 20.0);
-  static const RadiationModel sum(ship, MemoryModel::Exponential),
-      convolution(ship, MemoryModel::Convolution);
-  return memory == MemoryModel::Exponential ? sum : convolution;
+enum class Memory { Sum, Convolution };
+
+const RadiationModel& model() {
+  static const RadiationModel model(test::CausalShip().coefficients(0.1, 20.0),
+                                    ForwardSpeedForm::Report);
+  return model;
 }
 
-class RadiationMemoryIdentity : public ::testing::TestWithParam<MemoryModel> {
+class RadiationMemoryIdentity : public ::testing::TestWithParam<Memory> {
  protected:
   std::unique_ptr<RadiationMemory> make(double step = kTick) const {
-    return modelOf(GetParam()).makeMemory(step);
+    return GetParam() == Memory::Sum ? model().makeMemory(step) : model().makeConvolution(step);
   }
 };
 
@@ -96,7 +97,7 @@ TEST_P(RadiationMemoryIdentity, WithoutASpeedTheShipIsAtRest) {
 // (2/π)∫B dω resists. These kernels begin flat, so that a tick leaves (h/2)² of them, 1e-4; the fit
 // leaves 1e-3.
 TEST_P(RadiationMemoryIdentity, FirstTickIsResistedByTheKernelAtZero) {
-  const Mat6 K = modelOf(GetParam()).retardation().at(0.0);
+  const Mat6 K = model().retardation().at(0.0);
   const double h = 0.01;
   for (int k = 0; k < 6; ++k) {
     const Vec6 force = make(h)->advance(Vec6::Unit(k), 0.0);
@@ -131,10 +132,9 @@ TEST_P(RadiationMemoryIdentity, FitsItsOwnStateAndNoOther) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, RadiationMemoryIdentity,
-                         ::testing::Values(MemoryModel::Exponential, MemoryModel::Convolution),
-                         [](const auto& model) {
-                           return model.param == MemoryModel::Exponential ? "Exponential"
-                                                                          : "Convolution";
+                         ::testing::Values(Memory::Sum, Memory::Convolution),
+                         [](const auto& memory) {
+                           return memory.param == Memory::Sum ? "Exponential" : "Convolution";
                          });
 
 }  // namespace

@@ -274,8 +274,7 @@ TEST(Parts, ShipsOfOneHydrodynamicsShareItAndTemporariesMayBePassed) {
   const Ship& alone = seaway.addShip(hemisphere(), settings);
   EXPECT_EQ(&one.hydrodynamics(), &two.hydrodynamics());
   EXPECT_NE(&one.hydrodynamics(), &alone.hydrodynamics());
-  EXPECT_EQ(sphere->radiation(MemoryModel::Exponential),
-            sphere->radiation(MemoryModel::Exponential));
+  EXPECT_EQ(sphere->radiation(), sphere->radiation());
   EXPECT_THROW(seaway.addShip(std::shared_ptr<const Hydrodynamics>{}), HydroError);
 }
 

@@ -17,8 +17,9 @@ TEST(ShipParticulars, MassMatrixIsThatOfTheGyradii) {
 TEST(ShipParticulars, WithoutAHullTheSizeIsThatOfTheVolume) {
   ShipParticulars ship;
   ship.volume = 8.0;
-  EXPECT_DOUBLE_EQ(ship.length(), 2.0);
-  EXPECT_DOUBLE_EQ(ship.beam(), 0.2);
+  EXPECT_DOUBLE_EQ(ship.length(), 10.0);  // five times the cube root
+  EXPECT_DOUBLE_EQ(ship.beam(), 10.0 / 7.0);
+  EXPECT_EQ(ship.lengthOverall(), ship.length());
 }
 
 }  // namespace

@@ -6,11 +6,13 @@
 
 #include "hydro/Errors.h"
 #include "hydro/bem/BuildCoefficients.h"
+#include "hydro/excitation/WaveExcitation.h"
 #include "hydro/finish/Finish.h"
 #include "hydro/geometry/shapes/Shapes.h"
 #include "hydro/memory/RetardationMatrix.h"
 #include "hydro/response/FrequencyResponse.h"
 #include "hydro/ship/Afloat.h"
+#include "tests/support/Hulls.h"
 
 namespace cutwater {
 namespace {
@@ -90,6 +92,28 @@ TEST(Solve, ImpulseResponseIsTheRetardationFunction) {
   EXPECT_EQ(impulseResponse(c).values.size(), 601u);
   EXPECT_TRUE(impulseResponse(solve(floatingSphere(), upTo(1))).values.empty());
   EXPECT_THROW(impulseResponse(c, 1.0, 0.5), HydroError);
+}
+
+// Between two hulls the water sways in resonances that no usual grid follows: they are named by
+// mode and frequency, and the ship is not refused. Far from them (below 0.5 rad/s, a third of the
+// first) the memory gives back what was solved, to 5 % of A(∞): that much of A22 belongs to them.
+TEST(SolveVerification, ACatamaranHasAMemoryAndItsResonancesAreNamed) {
+  const test::TestHull catamaran = test::testCatamaran();
+  const PanelledHull hull{catamaran.hull.surface, catamaran.structured(224), true};
+  SolveSettings settings;
+  for (int i = 1; i <= 32; ++i) settings.omega.push_back(0.1 * i);
+  settings.threads = 2;
+  const Coefficients c = solve(afloat(hull, {.cog = {0, 0, 1}}).ship, settings);
+  ASSERT_EQ(c.status, CoefficientStatus::Finished) << c.unfinishedBecause;
+  const std::vector<std::string> warnings = gridWarnings(c);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("sway near 1."), std::string::npos) << warnings[0];
+  const RetardationMatrix memory(c);
+  const Vec6 size = c.addedMass.atInfinity.diagonal().cwiseSqrt();
+  for (std::size_t i = 0; i < 5; ++i) {
+    const Mat6 off = memory.addedMassInf(c.omega[i], c.addedMass[i]) - c.addedMass.atInfinity;
+    EXPECT_LT(off.cwiseQuotient(size * size.transpose()).cwiseAbs().maxCoeff(), 0.05) << i;
+  }
 }
 
 }  // namespace

@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "hydro/database/ForwardSpeed.h"
+#include "hydro/excitation/WaveExcitation.h"
 #include "hydro/response/FrequencyResponse.h"
 #include "hydro/ship/Afloat.h"
+#include "hydro/waves/Wave.h"
 
 namespace cutwater::test {
 namespace {

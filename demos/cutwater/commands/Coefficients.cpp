@@ -29,7 +29,7 @@ void append(Csv& csv, double omega, const SpeedCoefficients& moving, const Slope
 
 void coefficients(const std::string& database, const SpeedOptions& moving, const std::string& out) {
   const Coefficients c = readDatabase(database, moving);
-  const ForwardSpeedForm form = moving.form().value_or(c.forwardSpeed);
+  const ForwardSpeedForm form = moving.form(c);
   const bool computed = !c.addedMassX.empty();
   if (!computed) warn(database + ": holds no x-derivatives: dA_dx and dB_dx are nan");
   const Mat6 zero = Mat6::Zero();

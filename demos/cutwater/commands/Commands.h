@@ -31,7 +31,8 @@ void info(const std::string& database, const std::string& out);
 struct SpeedOptions {
   double speed = 0.0;
   std::string formName;
-  std::optional<ForwardSpeedForm> form() const;  ///< absent: the database's own
+  /// What was asked for, or the database's own.
+  ForwardSpeedForm form(const CoefficientTables& coefficients) const;
 };
 /// One heading, wave frequencies A:B:N ("" for the solve's).
 struct WaveOptions {

@@ -6,6 +6,7 @@
 
 #include "demos/cutwater/commands/Commands.h"
 #include "hydro/Errors.h"
+#include "hydro/base/EnumNames.h"
 #include "hydro/database/CoefficientsFile.h"
 
 namespace cutwater::command {
@@ -31,8 +32,9 @@ double part(const std::string& range, std::size_t from, std::size_t to) {
 
 }  // namespace
 
-std::optional<ForwardSpeedForm> SpeedOptions::form() const {
-  return fromName<ForwardSpeedForm>(kForwardSpeedNames, formName);
+ForwardSpeedForm SpeedOptions::form(const CoefficientTables& coefficients) const {
+  return fromName<ForwardSpeedForm>(kForwardSpeedNames, formName)
+      .value_or(coefficients.forwardSpeed);
 }
 
 std::vector<double> omegaList(const std::string& range, const std::vector<double>& fallback) {

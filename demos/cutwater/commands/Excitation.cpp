@@ -6,7 +6,7 @@ namespace cutwater::command {
 
 void excitation(const std::string& database, const WaveOptions& options, const std::string& out) {
   const Coefficients coefficients = readDatabase(database, options.moving);
-  const WaveExcitation waves(coefficients, options.moving.form());
+  const WaveExcitation waves(coefficients, options.moving.form(coefficients));
   const double heading = headingRadians(options.headingDeg), speed = options.moving.speed;
   Csv csv("omega,omega_e,j,fk_re,fk_im,diff_re,diff_im");
   const auto add = [&](double omega) {

@@ -7,6 +7,7 @@
 
 #include "demos/cutwater/commands/Commands.h"
 #include "demos/cutwater/output/Csv.h"
+#include "hydro/base/EnumNames.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/finish/Finish.h"
@@ -121,11 +122,11 @@ void listSpeed(Csv& csv, const Coefficients& c) {
 // How the time domain remembers: the fit's size and its distance from the convolution.
 void listMemory(Csv& csv, const Coefficients& c) {
   if (c.omega.size() < 2 || c.status == CoefficientStatus::Unfinished) return;
-  const RadiationModel model(c, MemoryModel::Exponential, usableForm(c));
-  if (model.sum() == nullptr || model.sum()->size() == 0) return;
+  const RadiationModel model(c, usableForm(c));
+  if (model.sum().size() == 0) return;
   list(csv, "memory_duration", csvNumber(model.retardation().duration()), "s");
-  list(csv, "memory_poles", csvNumber(static_cast<double>(model.sum()->size())), "");
-  list(csv, "memory_fit_error", csvNumber(100.0 * model.memoryError()), "%");
+  list(csv, "memory_poles", csvNumber(static_cast<double>(model.sum().size())), "");
+  list(csv, "memory_fit_error", csvNumber(100.0 * model.sum().error()), "%");
 }
 
 }  // namespace
@@ -134,6 +135,7 @@ void info(const std::string& database, const std::string& out) {
   std::string warning;
   const Coefficients c = readCoefficients(database, &warning);
   warn(warning);
+  warnOfResonances(database, c);
   Csv csv("name,value,unit");
   list(csv, "status", nameOf(kCoefficientStatusNames, c.status), "");
   if (!c.unfinishedBecause.empty()) list(csv, "unfinished_because", c.unfinishedBecause, "");

@@ -7,6 +7,7 @@
 #include "hydro/Errors.h"
 #include "hydro/database/ChangeOfLoading.h"
 #include "hydro/response/FrequencyResponse.h"
+#include "hydro/waves/Wave.h"
 
 namespace cutwater::command {
 
@@ -43,7 +44,7 @@ void rao(const std::string& database, const WaveOptions& options, const LoadingO
                                  cog.value_or(ship.cog), gyradii.value_or(ship.gyradii));
     });
   }
-  const FrequencyResponse response(coefficients, {}, options.moving.form());
+  const FrequencyResponse response(coefficients, {}, options.moving.form(coefficients));
   const double heading = headingRadians(options.headingDeg), speed = options.moving.speed;
   Csv csv("omega,omega_e,j,amplitude,phase_deg");
   int slow = 0;

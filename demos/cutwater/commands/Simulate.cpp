@@ -38,6 +38,7 @@ void printParts(const Recorder& recorder, const Ship& ship) {
 
 std::shared_ptr<const Hydrodynamics> hydrodynamicsOf(const RunFile& run) {
   Coefficients coefficients = readShipOfRun(run);
+  warnOfResonances(run.database, coefficients);
   std::shared_ptr<const Hydrodynamics> ship;
   naming(run.database,
          [&] { ship = std::make_shared<const Hydrodynamics>(std::move(coefficients)); });

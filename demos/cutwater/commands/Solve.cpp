@@ -43,7 +43,7 @@ class Interruption {
   ~Interruption() { std::signal(SIGINT, before_); }
   void check(const std::string& journal, int done, int total) const {
     if (asked == 0 || done == total) return;
-    throw HydroError(Fault::BadArgument,
+    throw HydroError(Fault::Interrupted,
                      fmt::format("interrupted; {} of {} frequencies are kept in {}, the same "
                                  "command goes on from there",
                                  done, total, journal));

@@ -10,6 +10,7 @@
 #include "demos/cutwater/input/Toml.h"
 #include "demos/cutwater/output/Messages.h"
 #include "hydro/Errors.h"
+#include "hydro/base/EnumNames.h"
 
 namespace cutwater::command {
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "hydro/Errors.h"
+#include "hydro/finish/ConsistentLimit.h"
 
 namespace cutwater::command {
 
@@ -21,6 +22,11 @@ void warnIfUnresolved(const std::string& file, const Coefficients& coefficients,
   if (!(resolved > 0.0) || omega <= resolved * (1.0 + 1e-9)) return;
   warn(fmt::format("{}: panels resolve waves up to {:.2f} rad/s, these go up to {:.2f}", file,
                    resolved, omega));
+}
+
+void warnOfResonances(const std::string& file, const Coefficients& coefficients) {
+  const std::string line = resonanceWarning(coefficients);
+  if (!line.empty()) warn(file + ": " + line);
 }
 
 void warn(const std::string& line) {

@@ -1,5 +1,5 @@
 #pragma once
-#include "hydro/base/EnumNames.h"
+#include <array>
 
 namespace cutwater {
 
@@ -8,14 +8,14 @@ enum class Formulation {
   Potential,  ///< ½φ + ∫φ ∂G/∂n_ξ = ∫G v, Green's identity on the hull
   Source  ///< Dσ = v, φ = Eσ, as in the report                                 [M03] (49)-(51)
 };
-inline constexpr EnumNames<2> kFormulationNames{"potential", "source"};
+inline constexpr std::array kFormulationNames{"potential", "source"};
 
 /// How ∂φ/∂x comes from the solution.
 enum class Derivatives {
   Stokes,  ///< Stokes' theorem on each panel (bem/solution/XDerivative.h)
   Source  ///< ∂φ/∂x = Hσ, as in the report; with Formulation::Source only         [M03] (51)-(54)
 };
-inline constexpr EnumNames<2> kDerivativesNames{"stokes", "source"};
+inline constexpr std::array kDerivativesNames{"stokes", "source"};
 
 /// How diffraction forces are obtained between the frequencies of the grid.
 enum class Influence {
@@ -24,6 +24,6 @@ enum class Influence {
   Matrix,   ///< influence matrices interpolated between grid frequencies        [M03] (80)-(83)
   Inverse   ///< their inverses interpolated; wrong near irregular frequencies   [M03] (84)-(87)
 };
-inline constexpr EnumNames<4> kInfluenceNames{"adjoint", "direct", "interpolated", "inverse"};
+inline constexpr std::array kInfluenceNames{"adjoint", "direct", "interpolated", "inverse"};
 
 }  // namespace cutwater

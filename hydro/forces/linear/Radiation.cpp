@@ -6,17 +6,21 @@
 
 namespace cutwater {
 
-Radiation::Radiation(std::shared_ptr<const RadiationModel> model, bool follows)
+Radiation::Radiation(std::shared_ptr<const RadiationModel> model, bool follows, MemoryModel memory)
     : model_(std::move(model)),
+      memoryModel_(memory),
       follows_(follows),
-      aheadOnly_(model_->form() == ForwardSpeedForm::Report) {}
+      aheadOnly_(model_->form() == ForwardSpeedForm::Report) {
+  if (memory == MemoryModel::Exponential) model_->sum();  // made now, not in the first tick
+}
 
 Radiation::Radiation(Radiation&&) noexcept = default;
 Radiation::~Radiation() = default;
 
 void Radiation::prepare(double step) {
   memory_.reset();
-  memory_ = model_->makeMemory(step);
+  const bool convolution = memoryModel_ == MemoryModel::Convolution;
+  memory_ = convolution ? model_->makeConvolution(step) : model_->makeMemory(step);
 }
 
 Wrench Radiation::evaluate(const TickInput& now) noexcept {

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "hydro/forces/ForceGenerator.h"
+#include "hydro/forces/ShipSettings.h"
 
 namespace cutwater {
 
@@ -24,7 +25,8 @@ class RadiationModel;
 class Radiation final : public ForceGenerator {
  public:
   /// @param follows  the mean course follows the ship.
-  explicit Radiation(std::shared_ptr<const RadiationModel> model, bool follows = false);
+  explicit Radiation(std::shared_ptr<const RadiationModel> model, bool follows = false,
+                     MemoryModel memory = MemoryModel::Exponential);
   Radiation(Radiation&&) noexcept;
   ~Radiation() override;
 
@@ -44,6 +46,7 @@ class Radiation final : public ForceGenerator {
 
   std::shared_ptr<const RadiationModel> model_;
   std::unique_ptr<RadiationMemory> memory_;  // null before prepare()
+  MemoryModel memoryModel_;
   bool follows_, aheadOnly_;
 };
 

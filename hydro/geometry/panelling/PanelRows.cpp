@@ -20,7 +20,11 @@ double countFraction(double f, const Crowding& crowding) {
   double low = 0.0, high = 1.0;
   for (int i = 0; i < 50; ++i) {
     const double u = 0.5 * (low + high);
-    (lengthFraction(u, crowding) < f ? low : high) = u;
+    if (lengthFraction(u, crowding) < f) {
+      low = u;
+    } else {
+      high = u;
+    }
   }
   return 0.5 * (low + high);
 }
@@ -81,11 +85,16 @@ void addPanelsBetween(const std::vector<int>& a, const std::vector<double>& para
     if (moreA && moreB) {
       const double nextA = parameterA[i + 1], nextB = parameterB[j + 1];
       const double wider = std::max(nextA - parameterA[i], nextB - parameterB[j]);
-      if (std::abs(nextA - nextB) > 0.5 * wider + 1e-9) (nextA < nextB ? stepB : stepA) = false;
+      if (std::abs(nextA - nextB) > 0.5 * wider + 1e-9) {
+        stepA = nextA < nextB;
+        stepB = !stepA;
+      }
       // One side must not run out long before the other.
       const std::size_t leftA = a.size() - 1 - i, leftB = b.size() - 1 - j;
-      if (stepA && stepB && std::min(leftA, leftB) == 1 && std::max(leftA, leftB) > 1)
-        (leftA > leftB ? stepB : stepA) = false;
+      if (stepA && stepB && std::min(leftA, leftB) == 1 && std::max(leftA, leftB) > 1) {
+        stepA = leftA > leftB;
+        stepB = !stepA;
+      }
     }
     if (stepA && stepB)
       addFace(mesh, {a[i], b[j], b[j + 1], a[i + 1]});

@@ -92,7 +92,11 @@ class HullPanels {
         least = std::abs(ratio - 1);
         best = std::move(now);
       }
-      (ratio < 1 ? few : many) = girthwise;
+      if (ratio < 1) {
+        few = girthwise;
+      } else {
+        many = girthwise;
+      }
       girthwise = few > 0 && many > 0 ? std::sqrt(few * many)
                                       : girthwise * std::pow(std::max(ratio, 0.1), 0.5);
     }

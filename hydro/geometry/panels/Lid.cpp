@@ -65,8 +65,11 @@ std::vector<double> LidBuilder::stations(const Outline& o, double closest) const
     ++toLow[static_cast<std::size_t>(rising ? s[1] : s[0])];
   }
   std::vector<double> must, may, taken;
-  for (std::size_t i = 0; i < o.vertices.size(); ++i)
-    (toLow[i] == 1 && toHigh[i] == 1 ? may : must).push_back(o.vertices[i].x());
+  for (std::size_t i = 0; i < o.vertices.size(); ++i) {
+    const bool goesOn = toLow[i] == 1 && toHigh[i] == 1;
+    std::vector<double>& list = goesOn ? may : must;
+    list.push_back(o.vertices[i].x());
+  }
   std::sort(must.begin(), must.end());
   std::sort(may.begin(), may.end());
   must.erase(std::unique(must.begin(), must.end()), must.end());

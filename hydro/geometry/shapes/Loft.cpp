@@ -94,7 +94,11 @@ LoftedHull::LoftedHull(const std::vector<Vec3>& offsets) {
     double above = 0.0, below = s.chord.back();
     for (int i = 0; i < 60; ++i) {
       s.atWater = 0.5 * (above + below);
-      (s.at(s.atWater).z() > 0 ? above : below) = s.atWater;
+      if (s.at(s.atWater).z() > 0) {
+        above = s.atWater;
+      } else {
+        below = s.atWater;
+      }
     }
   }
   std::reverse(sections_.begin(), sections_.end());

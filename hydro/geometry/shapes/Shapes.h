@@ -2,9 +2,8 @@
 #include "hydro/geometry/SurfaceMesh.h"
 
 /// Hulls known by a formula: box, ellipsoid, sphere, Wigley hulls, a frigate.
-///     const SurfaceMesh wet = wetWigley(wigley(3), 40, 10);  // port half below water, for
-///     makePanels const SurfaceMesh hull = closedWigley(wigley(3), 0.1, 40, 10);  // watertight,
-///     with deck
+///     const SurfaceMesh wet = wetWigley(wigley(3), 40, 10);           // port half below water
+///     const SurfaceMesh hull = closedWigley(wigley(3), 0.1, 40, 10);  // watertight, with deck
 ///
 /// Every mesh is inscribed: its vertices lie on the surface, unscaled, so that volume and area
 /// approach the formula's from below at second order in the panel size.

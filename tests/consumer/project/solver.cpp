@@ -1,20 +1,23 @@
-// Makes the database of a floating sphere: consumer_solver OUT.h5
+// Makes the database of a hull from its mesh: consumer_solver MESH OUT.h5
 #include <cstdio>
 #include <exception>
 
 #include "hydro/database/CoefficientsFile.h"
-#include "hydro/geometry/shapes/Shapes.h"
+#include "hydro/files/MeshIO.h"
+#include "hydro/geometry/panelling/Panelling.h"
 #include "hydro/ship/Afloat.h"
 #include "hydro/solve/Solve.h"
 
 int main(int argc, char** argv) try {
-  if (argc != 2) return 2;
-  const double radius = 5.0;  // [m]
-  const cutwater::PanelledHull hull{cutwater::closedSphere(radius, 12, 8),
-                                    cutwater::wetHemisphere(radius, 12, 8), true};
-  cutwater::ShipParticulars ship =
-      cutwater::afloat(hull, {.cog = {0.0, 0.0, -1.0}, .gyradii = cutwater::Vec3(3.0, 3.0, 3.0)})
-          .ship;
+  if (argc != 3) return 2;
+  const char* mesh = argv[1];
+  const cutwater::RepairedHull read = cutwater::readRepaired(mesh);
+  for (const std::string& line : read.done) std::fprintf(stderr, "%s\n", line.c_str());
+  const cutwater::PanelledHull hull{read.hull.surface, cutwater::panelled(read.hull, 80, mesh),
+                                    read.hull.symmetric};
+  const cutwater::Loading loading{
+      .cog = {0.0, 0.0, -1.0}, .level = true, .gyradii = cutwater::Vec3(3.0, 3.0, 3.0)};
+  cutwater::ShipParticulars ship = cutwater::afloat(hull, loading).ship;
   ship.name = "sphere";
 
   cutwater::SolveSettings settings;
@@ -23,7 +26,7 @@ int main(int argc, char** argv) try {
   const cutwater::Coefficients made = cutwater::solve(ship, settings);
   for (const std::string& line : cutwater::gridWarnings(made))
     std::fprintf(stderr, "%s\n", line.c_str());
-  cutwater::writeCoefficients(made, argv[1]);
+  cutwater::writeCoefficients(made, argv[2]);
   std::printf("A33(inf) = %.3f of the displaced mass\n",
               made.addedMass.atInfinity(2, 2) / ship.mass);
   return 0;

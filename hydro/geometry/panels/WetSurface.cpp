@@ -1,0 +1,18 @@
+#include "hydro/geometry/panels/WetSurface.h"
+
+#include "hydro/geometry/panels/Lid.h"
+#include "hydro/geometry/panels/SolverPanels.h"
+
+namespace cutwater {
+
+PanelMesh WetSurface::panels() const { return solverPanels(mesh_, symmetric_, curved_); }
+
+PanelMesh WetSurface::panelsWithLid(double lidPanelLength) const {
+  PanelMesh mesh = panels();
+  mesh.lid = makeLid(mesh_, symmetric_, lidPanelLength);
+  return mesh;
+}
+
+PanelMesh WetSurface::faces() const { return makePanels(triangulated(mesh_), symmetric_); }
+
+}  // namespace cutwater
