@@ -1,6 +1,6 @@
 // The hull files under meshes/, made from their formulas, S-175's from its offsets in that folder:
-// `make_meshes FOLDER` writes them anew. Their wet faces are the solver's panels (panels =
-// "as-is"); the whole is closed, for buoyancy and collision.
+// `make_meshes FOLDER` writes them anew. Their wet faces are the solver's panels
+// (panels = "as-is"); the whole is closed, for buoyancy and collision.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>

@@ -159,9 +159,9 @@ void AddedMassConstraint::setMean(const btVector3& velocity, double turn,
   meanTurn_ = Eigen::AngleAxisd(turn, fromBullet(up)).toRotationMatrix();
 }
 
-// p⁻ in the axes of now stands for the velocity x·p⁻/l along row r, which differs from J·v⁻ by what
-// is returned. The momentum of v⁻ − V at the last solve is p = Σ l (J·(v⁻ − V)) J in the axes of
-// then; that of QV is taken in the axes of now, where it stands for J·QV itself.
+// p⁻ in the present axes stands for the velocity x·p⁻/l along row r, which differs from J·v⁻ by
+// what is returned. The momentum of v⁻ − V at the last solve is p = Σ l (J·(v⁻ − V)) J in the axes
+// of then; that of QV is taken in the present axes, where it stands for J·QV itself.
 Vec6 AddedMassConstraint::changeByTurning(const btMatrix3x3& axesNow) const noexcept {
   Vec6 change = Vec6::Zero();
   if (!turns_ && same(axesNow, pastAxes_)) return change;

@@ -15,8 +15,8 @@ CUTWATER_PLUGIN_BEGIN
 ///
 ///     (M + A∞)(v⁺ − v⁻) = P      as      M(v⁺ − v⁻) = P + Σ_r J_rᵀλ_r,   λ_r = −l_r J_r(v⁺ − v⁻)
 ///     A∞ x_r = l_r M x_r,   x_rᵀ M x_r = 1,   J_r = M x_r
-/// in body axes, turned with the body, or in axes of the caller's (follow): a ship's turn with its
-/// heading but do not heel with it.
+/// in body axes, turned with the body, or in axes that the caller gives (follow): a ship's turn
+/// with its heading but do not heel with it.
 /// When the axes R turn, A∞ turns with them, and what acts is the rate of the water's momentum:
 ///     force = −d(R A∞ Rᵀ v)/dt,   so that A∞ v⁻ above is the momentum p⁻ at the last solve.
 /// Over any motion that returns on itself it sums to nothing: a rolling and heaving ship does not

@@ -3,8 +3,9 @@
 
 #include "hydro/Conventions.h"
 
-/// Everything that sees Bullet is compiled twice, for Bullet in single and in double precision, and
-/// lives in an inline namespace of its own: users write cutwater::Seaway and link one of
+/// Conversions between Bullet's types and ours, and the namespace of a precision. Everything that
+/// sees Bullet is compiled twice, for Bullet in single and in double precision, and lives in an
+/// inline namespace of its own: users write cutwater::Seaway and link one of
 /// cutwater::plugin and cutwater::plugin_float64. A mix of the two does not link.
 #ifdef BT_USE_DOUBLE_PRECISION
 #define CUTWATER_PLUGIN_BEGIN \

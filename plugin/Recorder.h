@@ -6,9 +6,10 @@
 
 CUTWATER_PLUGIN_BEGIN
 
+/// What a Recorder writes down of each tick.
 struct RecorderSettings {
-  bool forces = false;
-  int every = 1;  ///< record one tick in so many, the first one included
+  bool forces = false;  ///< the parts of the load as well
+  int every = 1;        ///< record one tick in so many, the first one included
 };
 
 /// Motions of a ship, and if wished the parts of its loads, at every internal tick, as CSV:

@@ -57,8 +57,8 @@ class Seaway final {
   ///         then.
   Ship& addShip(std::shared_ptr<const Hydrodynamics> hydrodynamics,
                 const ShipSettings& settings = {});
-  /// The user's own body, already in the world, origin in G, axes B; the database's mass within 0.1
-  /// %. Its pose becomes the mean course (x, y, heading). Of `settings.start` only the speed is
+  /// The user's own body, already in the world, origin in G, axes B; the database's mass within
+  /// 0.1 %. Its pose becomes the mean course (x, y, heading). Of `settings.start` only the speed is
   /// used, of `settings.collision` nothing.
   Ship& addShip(std::shared_ptr<const Hydrodynamics> hydrodynamics, btRigidBody& body,
                 const ShipSettings& settings = {});

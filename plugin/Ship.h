@@ -29,7 +29,7 @@ struct ShipPart;  // of the load, with what the ship knows about it
 struct CollisionShape {
   /// Kept by the user, in the world's units; null: the convex hull of the ship's own mesh.
   btCollisionShape* shape = nullptr;
-  /// The shape is in the axes of the hull file (origin where that has it), not about G.
+  /// The shape is in the axes of the hull file (the file's origin), not about G.
   bool inHullAxes = false;
 };
 
@@ -90,7 +90,7 @@ Vec3 eulerAngles(const Mat3& rotation) noexcept;
 /// from one ship to another.
 class Ship {
  public:
-  /// Use Seaway::addShip. World and `own` (null: a body is made) must outlive the ship.
+  /// Internal: use Seaway::addShip. World and `own` (null: a body is made) must outlive the ship.
   Ship(btDiscreteDynamicsWorld& world, const WorldFrame& frame,
        std::shared_ptr<const SeaTables> tables, const ShipSettings& settings, btRigidBody* own);
   ~Ship();

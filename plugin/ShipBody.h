@@ -6,7 +6,7 @@
 
 CUTWATER_PLUGIN_BEGIN
 
-/// What a ship is to Bullet: shape and body, in the world's axes and units.
+/// Makes a ship's collision shape and body for Bullet, in the world's axes and units.
 
 /// Convex hull of the ship's mesh in B (origin in G), of at most some forty of its vertices, taken
 /// in directions spread evenly over its bounding box, so that a slender hull keeps its ends.

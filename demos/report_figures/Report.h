@@ -20,7 +20,7 @@ inline const std::vector<double> kHeadings  ///< β of Table 4 [rad]
 
 /// One of the three meshes afloat, G above its centre of buoyancy, no supplementary terms.
 struct Mesh {
-  int panels;  ///< a side, as the report and the file's name have it
+  int panels;  ///< a side, as in the report and in the file's name
   ShipParticulars ship;
   Hydrostatics afloat;
 };
@@ -29,7 +29,7 @@ struct Mesh {
 struct Job {
   std::string folder;        ///< for the CSV files
   std::vector<Mesh> meshes;  ///< 224, 433, 1040, or one of them
-  int every = 1;             ///< every how manieth frequency
+  int every = 1;             ///< every n-th frequency
 
   std::string file(const std::string& name) const { return folder + "/" + name; }
   /// The report's for Figures 6 and 21 to 24, if it is there.

@@ -13,8 +13,8 @@ constexpr double kTick = 1.0 / 64.0, kSpeed = 2.0;
 
 struct Result {
   std::uint32_t faults = kStepOk;
-  double lost =
-      0.0;  // momentum of both less what the water gave, at worst, of the momentum at first
+  // Momentum of both less what the water gave, at worst, of the momentum at first.
+  double lost = 0.0;
   double lostInTick = 0.0;  // the same of one tick
   double bodies = 0.0;      // what is missing if only bodies are counted
   double energy = 0.0;      // the most there is, of that at first

@@ -126,7 +126,7 @@ CUTWATER_INLINE ComplexDouble4 operator*(const ComplexDouble4& a, const ComplexD
 CUTWATER_INLINE ComplexDouble4 operator*(double a, const ComplexDouble4& b) {
   return {a * b.re, a * b.im};
 }
-/// e^z as boundedExponential(re) and sineCosine(im) have it.
+/// e^z as boundedExponential(re) and sineCosine(im) give it.
 CUTWATER_INLINE ComplexDouble4 exponential(const ComplexDouble4& z) {
   const Double4 size = boundedExponential(z.re);
   const SineCosine turn = sineCosine(z.im);

@@ -9,8 +9,8 @@
 /// (HydroChrono) reads.
 ///
 /// Stored × factor = dimensional: added mass ρ; damping ρω; K ρ; excitation and its impulse
-/// response ρg; restoring ρg. Waves travel towards wave_dir, counter-clockwise from +x: wave_dir =
-/// −β. Phases are for a crest over the origin of the hull axes, ours for one over G:
+/// response ρg; restoring ρg. Waves travel towards wave_dir, counter-clockwise from +x:
+/// wave_dir = −β. Phases are for a crest over the origin of the hull axes, ours for one over G:
 ///     X_origin = X_G e^{−ik(x_G cos β − y_G sin β)}
 namespace cutwater {
 

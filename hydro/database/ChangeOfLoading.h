@@ -5,8 +5,8 @@ namespace cutwater {
 
 /// The database of the same hull on the same waterline with another loading, without solving again:
 ///     const Coefficients heavier = withLoading(ship, mass, {-2.4, 0, 1.5}, {5.9, 29, 29});
-/// Gives exactly what the solver would about the new centre of gravity G′ = G + d. n′_{4..6} =
-/// n_{4..6} − d × n, so with
+/// Gives exactly what the solver would about the new centre of gravity G′ = G + d.
+/// n′_{4..6} = n_{4..6} − d × n, so with
 ///     P = [ I  0 ; −[d×]  I ]    n′ = P n,  φ′ = P φ,  Z′ = P Z Pᵀ
 /// for A, B, ∂A, ∂B and their limits; rows of the adjoint vectors transform with P; tables of F_I
 /// and F_D also get the phase e^{ik(d_x cos β − d_y sin β)} of a crest over G′. The waterplane's

@@ -5,7 +5,7 @@
 
 namespace cutwater {
 
-WetSurface CoefficientTables::wet() const noexcept {
+WetSurface CoefficientTables::wet() const& noexcept {
   return {ship.wetSurface, ship.symmetric, curvedPanels};
 }
 

@@ -144,8 +144,10 @@ struct CoefficientTables {
 
   /// The solver moved its panels out to the curved surface of the hull.
   bool curvedPanels = false;
-  /// The wet surface, from which the solver's panels are made (geometry/panels/WetSurface.h).
-  WetSurface wet() const noexcept;
+  /// The wet surface, from which the solver's panels are made. Internal: WetSurface.h is not
+  /// installed. It refers to this object, so that a temporary has none.
+  WetSurface wet() const& noexcept;
+  WetSurface wet() const&& = delete;
 
   /// ‖D‖·‖D⁻¹‖ of the even and odd systems (a hull without symmetry fills only `conditionEven`).
   std::vector<double> conditionEven, conditionOdd;

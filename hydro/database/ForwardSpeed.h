@@ -5,8 +5,8 @@ namespace cutwater {
 
 /// A and B of a ship under way:
 ///     const SpeedCoefficients at8 = atSpeed(coefficients, omegaE, 8.0, usableForm(coefficients));
-/// With Z = B + iωA, ∂Z = ∂B + iω∂A at rest, u = U/ω, T_53 = 1, T_62 = −1 (all else 0) and S = I +
-/// iuT both forms of the forward-speed terms are
+/// With Z = B + iωA, ∂Z = ∂B + iω∂A at rest, u = U/ω, T_53 = 1, T_62 = −1 (all else 0) and
+/// S = I + iuT both forms of the forward-speed terms are
 ///     Z(U) = (Z⁰ + iu ∂Z) Sᴴ
 /// Report: ∂Z as integrated, which is                                       [M03] (24)-(29)
 ///     A_jk(U) = A_jk + (U/ω²)∂B_jk,    B_jk(U) = B_jk − U∂A_jk,    k = 1..4

@@ -22,8 +22,8 @@ LocalCubic localCubic(std::span<const double> nodes, double x);
 std::size_t resolvedCount(const CoefficientTables& coefficients);
 
 /// A(ω) at any ω ≥ 0 [rad/s], ω = ∞ included: local cubic through A(0) and the data; beyond the
-/// last frequency Ω the limit is approached as A(∞) + (A(Ω) − A(∞))(Ω/ω)², since A(ω) −
-/// A(∞) falls as −K(0)/ω².
+/// last frequency Ω the limit is approached as A(∞) + (A(Ω) − A(∞))(Ω/ω)², since A(ω) − A(∞) falls
+/// as −K(0)/ω².
 /// @throws HydroError ValueOutOfRange (ω < 0 or NaN; of a database with one frequency any ω but
 ///         that, 0 and ∞), DatabaseIncomplete (no frequencies).
 Mat6 addedMassAt(const CoefficientTables& coefficients, double omega);
@@ -41,8 +41,8 @@ Mat6 addedMassXAt(const CoefficientTables& coefficients, double omega);
 Mat6 dampingXAt(const CoefficientTables& coefficients, double omega);
 
 /// Adjoint vectors b_j of F^ω at ω ≥ 0, 6 × panels (Coefficients::adjoint): local cubic through
-/// b(0) and the data up to Ω, the last frequency that the panels resolve; beyond it b(∞) + (b(Ω) −
-/// b(∞))(Ω/ω)². Without b(0) the first vectors are held below their frequency.
+/// b(0) and the data up to Ω, the last frequency that the panels resolve; beyond it
+/// b(∞) + (b(Ω) − b(∞))(Ω/ω)². Without b(0) the first vectors are held below their frequency.
 /// @throws HydroError ValueOutOfRange (ω < 0, NaN; beyond the last frequency without b(∞)),
 ///         DatabaseIncomplete (none in the database).
 CoefficientTables::AdjointVectors adjointAt(const CoefficientTables& coefficients, double omega);

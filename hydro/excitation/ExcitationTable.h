@@ -13,12 +13,12 @@ namespace cutwater {
 /// kind.
 ///
 /// F_I and the incident velocity v on the panels depend on ω_I and β alone, the adjoint vectors b,
-/// b^x on ω_e alone: F_D = ω′ b(ω_e)·v + U b^x(ω_e)·v, v* and the conjugate of the force where ω′ <
-/// 0. The panels' velocities are kept in the few directions that the adjoint vectors see (some 40
-/// of each parity instead of hundreds of panels), on a grid of ω_I and β fine enough for the waves'
-/// phase at the ends of the ship, half a radian a step, with local cubics between; the vectors on
-/// an even grid of ω_e, likewise. Immutable, any thread may read. At load some tenths of a second
-/// and 10 MB for a sea of 200 components; a call costs about a microsecond.
+/// b^x on ω_e alone: F_D = ω′ b(ω_e)·v + U b^x(ω_e)·v, v* and the conjugate of the force where
+/// ω′ < 0. The panels' velocities are kept in the few directions that the adjoint vectors see (some
+/// 40 of each parity instead of hundreds of panels), on a grid of ω_I and β fine enough for the
+/// waves' phase at the ends of the ship, half a radian a step, with local cubics between; the
+/// vectors on an even grid of ω_e, likewise. Immutable, any thread may read. At load some tenths of
+/// a second and 10 MB for a sea of 200 components; a call costs about a microsecond.
 class ExcitationTable {
  public:
   /// Of one component, per metre of its amplitude.
@@ -47,8 +47,9 @@ class ExcitationTable {
   double error() const noexcept { return error_; }
 
  private:
-  struct Row {                             // of one ω_I: all headings
-    std::size_t headings = 0, offset = 0;  // in values_, width_ numbers a heading
+  // Of one ω_I: all headings, in values_, width_ numbers a heading.
+  struct Row {
+    std::size_t headings = 0, offset = 0;
   };
   struct Columns {  // of a row's numbers
     std::size_t first, count;
@@ -94,8 +95,8 @@ class ExcitationTable {
   double last_ = 0.0, vectorStep_ = 1.0;  // ω_e grid
   bool hasInfinity_ = false;
   std::size_t vectorCount_ = 0;  // nodes of ω_e; one more for ∞
-  std::vector<double>
-      vectors_;  // per node: b, then b^x, of each mode, Re and Im over its parity's directions
+  // Per node: b, then b^x, of each mode, Re and Im over its parity's directions.
+  std::vector<double> vectors_;
   std::size_t vectorSize_ = 0;
   double error_ = 0.0;
 };

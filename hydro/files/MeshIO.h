@@ -16,7 +16,7 @@ struct MeshReadOptions {
   double waterline = 0.0;     ///< height of calm water along `up`, in the file's unit
   double trimDeg = 0.0;       ///< bow down; the hull turns about the point on calm water at (0, 0)
   double heelDeg = 0.0;       ///< starboard down, about the same point: R = R_y(trim) R_x(heel)
-  bool anyFormat = false;     ///< also what else Assimp can read; its rarer importers are less safe
+  bool anyFormat = false;  ///< any other format that Assimp reads; its rare importers are less safe
   std::string symmetric = "auto";  ///< "auto", "none" or "half"
 };
 

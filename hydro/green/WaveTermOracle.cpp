@@ -111,8 +111,8 @@ Valued waveFree(double X, double Y) {
 
 Smooth smoothBySeries(double R, double alpha) {
   // P_n, w_n and their derivatives by α, from (n+1)P_{n+1} = (2n+1)αP_n − nP_{n−1} and its
-  // derivative by n: (n+1)w_{n+1} = (2n+1)αw_n − nw_{n−1} + 2αP_n − P_{n+1} − P_{n−1}, with P_{−1}
-  // = 1, w_0 = 0.
+  // derivative by n: (n+1)w_{n+1} = (2n+1)αw_n − nw_{n−1} + 2αP_n − P_{n+1} − P_{n−1}, with
+  // P_{−1} = 1, w_0 = 0.
   double pBefore = 1.0, p = 1.0, dpBefore = 0.0, dp = 0.0;
   double wBefore = 0.0, w = 0.0, dwBefore = 0.0, dw = 0.0;
   double digamma = -std::numbers::egamma;

@@ -30,7 +30,6 @@ CVec6 froudeKrylovSum(std::size_t panels, bool symmetric, double density, double
   return -density * gravity * sum;
 }
 
-/// Even and odd part of v = −∂φ_I/∂n, −∇φ_I = −i(g/ω) κ e^{κ·x}.
 /// Even and odd part of v from its means on both sides.
 /// @param mean  mean(i, starboard): −∂φ_I/∂n, its mean over panel i or its mirror image.
 template <class Mean>

@@ -17,8 +17,8 @@ class RetardationMatrix;
 /// Deschrijver08], at ω evenly up to the last that the data resolve and, in growing steps, ten
 /// times as far. Residues: weighted least squares with ∫K⁰ dτ = 0 and ∫K^U dτ kept exactly: a
 /// steady velocity feels no memory, and A(0) and c(U) do not change. An error at ω is measured
-/// against the largest of B_jk(U), and of ωA_jk(U), from ω/1.5 to 1.5 ω, at that speed of 0 to 15
-/// m/s at which it is largest. Immutable. Building costs about a quarter of a second.
+/// against the largest of B_jk(U), and of ωA_jk(U), from ω/1.5 to 1.5 ω, at that speed of 0 to
+/// 15 m/s at which it is largest. Immutable. Building costs about a quarter of a second.
 class ExponentialSum {
  public:
   /// @param addedMassInf A(∞), against which errors are measured.
@@ -58,8 +58,8 @@ class ExponentialSum {
 
 /// The memory by that sum; for any tick exactly the convolution of its functions:
 ///     z_mk ← e^{s_m h} z_mk + (e^{s_m h} − 1)/s_m η̇_k,   F_j = −Re Σ_m Σ_k R_jkm(U) z_mk
-/// Stable for every tick, as |e^{s h}| < 1. State: 6 complex numbers a pole. A tick costs about 0.2
-/// µs.
+/// Stable for every tick, as |e^{s h}| < 1. State: 6 complex numbers a pole. A tick costs about
+/// 0.2 µs.
 class ExponentialMemory final : public RadiationMemory {
  public:
   /// @param sum must outlive it.  @throws HydroError ValueOutOfRange: step not positive.

@@ -3,7 +3,7 @@
 
 #include "hydro/Conventions.h"
 
-/// Integrals of which the retardation functions are made.
+/// Integrals that make up the retardation functions.
 namespace cutwater::fourier {
 
 /// Transforms of one cell of a piecewise polynomial, exact for every τ ≥ 0 (Filon's idea; with

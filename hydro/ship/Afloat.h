@@ -22,10 +22,11 @@ SurfaceMesh wholeWet(const PanelledHull& hull);
 struct Loading {
   std::optional<double> mass = {};  ///< [kg]; absent: density × volume
   Vec3 cog = Vec3::Zero();          ///< centre of gravity in hull axes [m]
-  bool level = false;  ///< the ship floats as it lies: cog stands over the centre of buoyancy,
-                       ///< its x (without symmetry its y as well) is not read
-  std::optional<Vec3> gyradii =
-      {};  ///< roll, pitch, yaw, about G [m]; absent: 0.35 B, 0.25 L, 0.25 L
+  /// The ship floats as it lies: cog stands over the centre of buoyancy, its x (without symmetry
+  /// its y as well) is not read.
+  bool level = false;
+  /// Roll, pitch, yaw, about G [m]; absent: 0.35 B, 0.25 L, 0.25 L.
+  std::optional<Vec3> gyradii = {};
   Supplementary supplementary = {};
 };
 

@@ -12,10 +12,10 @@ namespace cutwater {
 ///     return met.conjugatedIfOvertaking(answer);
 ///
 /// Amplitudes are those of e^{iω′t} with the signed encounter frequency ω′ = ω_I − kU cos β. Added
-/// mass, damping and adjoint vectors are known at ω_e = |ω′|. A ship that overtakes the wave (ω′ <
-/// 0, following seas with U cos β > g/ω_I) sees its mirror image in time: Re{a e^{iω′t}} = Re{a*
-/// e^{iω_e t}}. So the amplitudes of the wave are conjugated, the equations solved at ω_e, and the
-/// answers conjugated. At ω′ = 0 both ways agree.
+/// mass, damping and adjoint vectors are known at ω_e = |ω′|. A ship that overtakes the wave
+/// (ω′ < 0, following seas with U cos β > g/ω_I) sees its mirror image in time:
+/// Re{a e^{iω′t}} = Re{a* e^{iω_e t}}. So the amplitudes of the wave are conjugated, the equations
+/// solved at ω_e, and the answers conjugated. At ω′ = 0 both ways agree.
 class Encounter {
  public:
   /// @param omegaI ω_I [rad/s].  @param speed U [m/s].

@@ -5,7 +5,7 @@
 #include "tests/bem/Frigate.h"
 #include "tests/support/Results.h"
 
-// Diffraction at forward speed: the four ways to have it, and the sign of the encounter frequency.
+// Diffraction at forward speed: four ways to obtain it, and the sign of the encounter frequency.
 namespace cutwater::test {
 namespace {
 

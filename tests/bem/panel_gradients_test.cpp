@@ -125,7 +125,7 @@ TEST(PanelGradientsIdentity, NeighboursBeyondACreaseDoNotCount) {
         creases +=
             mesh.panels[static_cast<std::size_t>(other)].normal.dot(own.normal) < 0.5 ? 1 : 0;
   }
-  EXPECT_GT(creases, 0);  // they share the edge none the less
+  EXPECT_GT(creases, 0);  // they share the edge all the same
 }
 
 // Next to the centre plane a panel of a half hull has its own image for a neighbour, so that an

@@ -180,8 +180,8 @@ TEST(ReciprocityIdentity, HaskindsRelationHoldsForTheFrigate) {
 }
 
 // Work of B = energy carried away: B_jj = k/(8πρg c_g) ∫|X_j(β)|² dβ, c_g = g/2ω, X_j the force of
-// waves of unit amplitude from every side [Newman 1962]. ρ = 1. Both sides carry the error of B: 1
-// % of 432 panels scaled to 160.
+// waves of unit amplitude from every side [Newman 1962]. ρ = 1. Both sides carry the error of B:
+// 1 % of 432 panels scaled to 160.
 TEST(ReciprocityIdentity, RadiatedWavesCarryTheWorkOfDamping) {
   const Case ship(wetHalfEllipsoid({2.0, 0.8, 0.6}, 16, 10), Vec3(0.1, 0.0, 0.05));
   const double omega = 2.0, k = omega * omega / kGravity;

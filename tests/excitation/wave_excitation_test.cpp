@@ -12,8 +12,8 @@ namespace {
 using test::boxShip, test::kBoxDensity, test::kBoxGravity;
 
 TEST(WaveExcitationClosedForm, LongWavesPressLikeTheSlowlyMovingSurface) {
-  // As ω → 0 heave excitation is C33 and the roll moment of a beam wave C44's buoyant part; k =
-  // 1e-4/m, so that terms of order kL are 2e-3.
+  // As ω → 0 heave excitation is C33 and the roll moment of a beam wave C44's buoyant part;
+  // k = 1e-4/m, so that terms of order kL are 2e-3.
   const Coefficients ship = boxShip();
   const double omega = std::sqrt(1e-4 * kBoxGravity);
   const CVec6 force = WaveExcitation(ship).at(omega, kPi / 2).froudeKrylov;
@@ -21,8 +21,8 @@ TEST(WaveExcitationClosedForm, LongWavesPressLikeTheSlowlyMovingSurface) {
 }
 
 TEST(WaveExcitationClosedForm, BoxInBeamAndHeadWavesHasTheIntegralOfThePressure) {
-  // Heave of a box by Froude-Krylov: ρg L B e^{−kT} sinc(kL/2) in head waves, phase e^{ik(x_c −
-  // x_G)}.
+  // Heave of a box by Froude-Krylov: ρg L B e^{−kT} sinc(kL/2) in head waves, phase
+  // e^{ik(x_c − x_G)}.
   const Coefficients ship = boxShip();
   const double omega = 1.5, k = omega * omega / kBoxGravity;
   const Complex heave = WaveExcitation(ship).at(omega, kPi).froudeKrylov[Heave];

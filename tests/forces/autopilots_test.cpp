@@ -33,7 +33,7 @@ Autopilots keepers() { return {keptShip(), addedMass(), kLength}; }
 const double kSurging = kMass + 2e5, kYawing = kMass * 900.0 + 2e9;
 
 /// A ship of mass m' under its keeper and a drag: the speed after each tick, semi-implicit as
-/// Bullet has it.
+/// Bullet does it.
 template <class See>
 double sail(Autopilots& keepers, double speed, double drag, double step, double duration, See see) {
   TickInput motion;

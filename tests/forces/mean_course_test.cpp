@@ -45,7 +45,7 @@ TEST(MeanCourseIdentity, SteadyMotionIsFollowedWithoutLag) {
   EXPECT_NEAR(mean.speed(), speed, 1e-9);
   mean.reset(0.0, 0.0, 0.0, 0.0, 0.02);
   for (int n = 1; n <= 100000; ++n) {
-    const double psi = std::remainder(0.02 * (n * step), 2.0 * kPi);  // as an engine has it
+    const double psi = std::remainder(0.02 * (n * step), 2.0 * kPi);  // as an engine gives it
     mean.advance(step, {0.0, 0.0, psi, 0.0, 0.0, 0.02});
   }
   EXPECT_NEAR(mean.heading(), 40.0, 1e-6);  // not wrapped

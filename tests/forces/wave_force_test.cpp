@@ -47,8 +47,9 @@ Vec6 twoAmplitudesTurned(const ExcitationTable& table, double turn, double speed
 
 // 1°/s, 60 ticks a second, 40 components, so that each is renewed every 20 ticks by 0.33°, two of
 // them a tick. Against a force all of whose amplitudes are those of the moment, no tick brings more
-// than that: 1 to 4 % of the mode's largest force here, where the shortest waves turn by 6 rad ·
-// 0.0058 at its ends. 15 %: the drift of the others by 1/60°, and courses between those tried.
+// than that: 1 to 4 % of the mode's largest force here, where the shortest waves turn by
+// 6 rad · 0.0058 at its ends. 15 %: the drift of the others by 1/60°, and courses between those
+// tried.
 TEST(WaveForce, TurnsWithoutLargerJumpsThanTwoAmplitudesMake) {
   const auto tables = WaveLoads::seaTablesOf(tableBox(), tableSea());
   WaveLoads turning(tables, {0.0, 5.0}, true), smooth(tables, {0.0, 5.0}, true);

@@ -85,8 +85,8 @@ TEST(RankineIntegralsClosedForm, PotentialOfASquareOnItself) {
   EXPECT_TRUE(corner.gradient.allFinite());
 }
 
-// Right triangle with legs a, b: at the right angle, ∫∫ 1/r dS = ∫ R(φ) dφ = (ab/c) [asinh(a/b) +
-// asinh(b/a)], c the hypotenuse.
+// Right triangle with legs a, b: at the right angle, c the hypotenuse,
+// ∫∫ 1/r dS = ∫ R(φ) dφ = (ab/c) [asinh(a/b) + asinh(b/a)].
 TEST(RankineIntegralsClosedForm, PotentialOfARightTriangleAtItsCorner) {
   const double a = 1.7, b = 0.6, c = std::hypot(a, b);
   const double expected = a * b / c * (std::asinh(a / b) + std::asinh(b / a));
@@ -190,8 +190,8 @@ TEST(RankineIntegralsIdentity, PanelIsTheSumOfItsParts) {
     const double height = 1e-5;
     points.push_back(0.3 * q[0] + 0.7 * q[2] + height * whole.normal());
     for (const Vec3& x : points) {
-      // Round-off; the last point sees the edge under angles that hang on its place: 1e-15 m /
-      // height.
+      // Round-off; the last point sees the edge under angles that depend on its place:
+      // 1e-15 m / height.
       const double tolerance = &x == &points.back() ? 5e-15 / height : 1e-13;
       const RankineIntegrals w = whole.exactAt(x), a = first.exactAt(x), b = second.exactAt(x);
       EXPECT_NEAR(w.potential, a.potential + b.potential, 2e-14);

@@ -116,8 +116,8 @@ TEST(WaveTermTablesIdentity, FarCellsHoldTheWaveFreePart) {
     }
 }
 
-// 1e-14: twelve points leave 1e-15 of a wave over a cell of unit length, the oracle 1e-15·(1 +
-// 1/x).
+// 1e-14: twelve points leave 1e-15 of a wave over a cell of unit length, the oracle
+// 1e-15·(1 + 1/x).
 TEST(WaveTermTablesIdentity, BesselCellsHoldAllFour) {
   for (std::size_t cell = 0; cell < kBesselCells; ++cell)
     for (const double t : {-0.9, -0.3, 0.1, 0.7, 1.0}) {

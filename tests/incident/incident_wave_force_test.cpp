@@ -13,8 +13,8 @@ Complex exponential(double kappa, double a, double b) {
   return (std::exp(i * kappa * b) - std::exp(i * kappa * a)) / (i * kappa);
 }
 
-// A box of panels as long as its sides in waves of 8 to ½ lengths. Force: the pressure −ρg e^{kz −
-// i…} on bottom, ends and sides, products of exponentials.
+// A box of panels as long as its sides in waves of 8 to ½ lengths. Force: the pressure
+// −ρg e^{kz − i…} on bottom, ends and sides, products of exponentials.
 TEST(FroudeKrylovClosedForm, BoxOfPanelsLongerThanTheWave) {
   const double l = 20.0, b = 6.0, t = 4.0;
   const PanelMesh mesh = makePanels(wetBox({l, b, t, 0.0}, 1, 1, 1), true);

@@ -16,8 +16,8 @@ Eigen::Vector3cd deepWater(double k, double heading) {
   return {Complex(0.0, -k * std::cos(heading)), Complex(0.0, k * std::sin(heading)), k};
 }
 
-// 16 × 16 points are exact to round-off for waves down to the panel's own length. Waves from 1000
-// panels long, where points take over from the edges, to half a panel; 1e-9 as stated.
+// 16 × 16 points are exact to round-off for waves down to the panel's own length. Waves from
+// 1000 panels long, where points take over from the edges, to half a panel; 1e-9 as stated.
 TEST(PanelWaveClosedForm, EdgesGiveWhatManyPointsGive) {
   const Vec3 origin(0.4, 0.0, 0.0);
   for (const bool triangle : {false, true})

@@ -70,7 +70,7 @@ TEST_P(RadiationMemoryIdentity, WhatBeginsLaterIsFeltLater) {
   }
 }
 
-// The speed of now weighs the whole past anew: the three parts of one memory give the force at
+// The present speed weighs the whole past anew: the three parts of one memory give the force at
 // every speed.
 TEST_P(RadiationMemoryIdentity, PartsGiveTheForceAtEverySpeed) {
   const auto parts = make();
@@ -93,9 +93,9 @@ TEST_P(RadiationMemoryIdentity, WithoutASpeedTheShipIsAtRest) {
     ASSERT_EQ(one->advance(velocityAt(n)), other->advance(velocityAt(n), 0.0)) << n;
 }
 
-// The first tick feels ∫K over itself: a memory of any kind begins with −K(0) h η̇, and K(0) =
-// (2/π)∫B dω resists. These kernels begin flat, so that a tick leaves (h/2)² of them, 1e-4; the fit
-// leaves 1e-3.
+// The first tick feels ∫K over itself: a memory of any kind begins with −K(0) h η̇, and
+// K(0) = (2/π)∫B dω resists. These kernels begin flat, so that a tick leaves (h/2)² of them, 1e-4;
+// the fit leaves 1e-3.
 TEST_P(RadiationMemoryIdentity, FirstTickIsResistedByTheKernelAtZero) {
   const Mat6 K = model().retardation().at(0.0);
   const double h = 0.01;

@@ -44,8 +44,8 @@ double impedanceError(double step, ForwardSpeedForm form) {
 
 // The set (30), (33)-(45) is exact; what is left is the cubic spline's, of fourth order in Δω. Its
 // error at the end ω = 0 is Δω⁴/46 of the fourth derivative of B/ω, some 10 of the largest B/ω over
-// the square of 1.5 rad/s twice, and K^UU has it over ω²: less than (0.1/1.5)⁴ · 10/46 ·
-// (1.5/0.1)².
+// the square of 1.5 rad/s twice, and in K^UU it is divided by ω²: less than
+// (0.1/1.5)⁴ · 10/46 · (1.5/0.1)².
 TEST(SpeedMemoryConvergence, MemoryAndSpeedTermsGiveBackAddedMassAndDampingUnderWay) {
   for (const auto form : kForms) {
     const double coarse = impedanceError(0.2, form), fine = impedanceError(0.1, form);

@@ -7,6 +7,12 @@ import tree
 # Words: (endings of the files, what to do instead).
 WORDS = {
     r"she|hers?|herself": (tree.CODE + tree.SCRIPTS + tree.PROSE, "a ship is \"it\""),
+    r"manieth": (tree.CODE + tree.SCRIPTS + tree.PROSE, "every n-th"),
+    r"(?:is|are|was|were|be|being) had|have it": (
+        tree.CODE + tree.PROSE, "is obtained, gives, contains"),
+    r"of now|none the less": (tree.CODE + tree.PROSE, "present; all the same"),
+    r"whence|thence|thereof|therefrom|whereof|whereby|thereupon|hitherto|forthwith|hath|unto": (
+        tree.CODE + tree.SCRIPTS + tree.PROSE, "an everyday word"),
     r"not installed": ((".h",), "the folder or the CMake list says so"),
 }
 

@@ -143,4 +143,4 @@ def faults(root):
 
 
 if __name__ == "__main__":
-    tree.report(list(faults(sys.argv[1])), "names that nothing bears")
+    tree.report(list(faults(sys.argv[1])), "names of nothing")

@@ -1,4 +1,4 @@
-"""prose_refuse.py: the checks of prose, words and line width refuse what they are there to refuse.
+"""prose_refuse.py: the checks of prose, words and lines refuse what they are there to refuse.
 
 Plants one fault at a time in a small tree, and one right name of each kind.
 """
@@ -6,6 +6,7 @@ import os
 import tempfile
 import unittest
 
+import line_breaks
 import line_width
 import plain_words
 import prose_names
@@ -62,6 +63,22 @@ class Refuse(unittest.TestCase):
         self.assertEqual(planted(line_width, "plugin/Ship.h", "//" + "η̇" * 98), [])
         self.assertEqual(len(planted(line_width, "plugin/Ship.h", "//" + "ω" * 99)), 1)
         self.assertEqual(len(planted(line_width, "tests/CMakeLists.txt", "#" * 101)), 1)
+
+    def test_torn_formulas_and_numbers_are_refused(self):
+        for text in ("/// a = b +\n/// c", "// is ω <\n// 0", "// at 1.5\n// rad/s",
+                     "// 3 to 5\n// %,", "// with ω\n// = 3",
+                     "int a;  ///< of 1e-3\n        ///< m³"):
+            self.assertEqual(len(planted(line_breaks, "plugin/Ship.h", text)), 1, text)
+        self.assertEqual(len(planted(line_breaks, "tests/CMakeLists.txt", "# 20\n# s")), 1)
+        for text in ("/// a = b +\nint c;", "// at 1.5 rad/s\n// and", "// of (4)\n// m is",
+                     "// F(X) is\n//   = 2", "int a;  // 5\nint m;", "// in 1984\n// the",
+                     "// 20\n// seconds", "// it −\n"):
+            self.assertEqual(planted(line_breaks, "plugin/Ship.h", text), [], text)
+
+    def test_words_of_old_are_refused(self):
+        for text in ("every how manieth", "It is had by", "ways to have it", "the speed of now"):
+            self.assertEqual(len(planted(plain_words, "plugin/Ship.h", "// " + text)), 1, text)
+        self.assertEqual(planted(plain_words, "plugin/Ship.h", "// They have its ends."), [])
 
     def test_a_ship_is_it(self):
         self.assertEqual(planted(plain_words, "README.md", "The ship and its sheer there."), [])

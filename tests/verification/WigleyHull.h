@@ -34,8 +34,8 @@ SolverOutput solveWigley(const SurfaceMesh& wet, std::vector<double> omega,
 std::map<std::string, double> reducedCoefficients(const SolverOutput& solved, double omegaE,
                                                   double speed, ForwardSpeedForm form);
 
-/// Those, X3 = |F3|/C33, X5 = |F5|/(k C55), and of the hull free in heave and pitch alone heave =
-/// |η3| and pitch = |η5|/k per metre of wave amplitude.
+/// Those, X3 = |F3|/C33, X5 = |F5|/(k C55), and of the hull free in heave and pitch alone
+/// heave = |η3| and pitch = |η5|/k per metre of wave amplitude.
 std::map<std::string, double> response(const SolverOutput& solved, const HeadWave& wave,
                                        ForwardSpeedForm form);
 

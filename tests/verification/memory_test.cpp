@@ -104,8 +104,8 @@ std::vector<double> fineGrid() {
   return omega;
 }
 
-// 0.5 % is the acceptance line, which 1040 panels keep in every pair. The uppermost row of 433
-// panels is half as deep again; they show the same distance larger, which is recorded without a
+// 0.5 % is the acceptance line, which 1040 panels keep in every pair. The uppermost row of
+// 433 panels is half as deep again; they show the same distance larger, which is recorded without a
 // bound.
 TEST(MemoryVerification, FrigateGivesItsAddedMassAtInfinity) {
   if (!fullSize()) GTEST_SKIP() << "full size only";

@@ -81,7 +81,7 @@ void simulate(const std::string& path, bool forces, const std::string& out) {
   recorder.reserve(rows + static_cast<std::size_t>(run.substeps));
   while (recorder.rows() < rows) {
     world.step();
-    progress.at(static_cast<int>(std::min(recorder.rows(), rows)), static_cast<int>(rows));
+    progress.show(static_cast<int>(std::min(recorder.rows(), rows)), static_cast<int>(rows));
   }
   const std::string faults = describeFaults(world);
   if (!faults.empty()) throw HydroError(Fault::ValueOutOfRange, path + ": " + faults);

@@ -69,7 +69,7 @@ Coefficients solved(const ShipFile& ship, const std::string& journal) {
         if (first && done > 0)
           fmt::print(stderr, "solve: {} of {} frequencies taken from {}\n", done, total, journal);
         first = false;
-        progress.at(done, total);
+        progress.show(done, total);
         interruption.check(journal, done, total);
       },
       journal);

@@ -93,7 +93,7 @@ std::vector<CVec6> runAll(const RunFile& run, const std::shared_ptr<const Hydrod
   Progress progress("sweep");
   parallelFor(results.size(), threads, [&](std::size_t i) {
     results[i] = motionInBullet(run, ship, i);
-    progress.at(++done, static_cast<int>(results.size()));
+    progress.show(++done, static_cast<int>(results.size()));
   });
   return results;
 }

@@ -29,8 +29,8 @@ struct RunFile {
   SeaStateSettings sea;
   std::vector<WaveComponent> components;
 
-  double heading =
-      kPi;          ///< β of regular waves and mean β of spectra, relative to the initial course
+  /// β of regular waves and mean β of spectra, relative to the initial course.
+  double heading = kPi;
   ShipStart start;  ///< speed along the initial course, offsets from it
   ShipModel model;
 

@@ -80,11 +80,11 @@ std::vector<double> waveFrequencies(TomlSection& solve, const std::vector<double
   return values.empty() ? omega : values;
 }
 
-// One of `words`, as the enumerator at its place.
-template <class Enum, class Words>
-Enum choice(TomlSection& section, const std::string& key, const Words& words, Enum fallback) {
-  const std::string word = section.text(key, nameOf(words, fallback), {words.begin(), words.end()});
-  return *fromName<Enum>(words, word);
+// The enumerator whose name, one of `names`, the file gives.
+template <class Enum, class Names>
+Enum choice(TomlSection& section, const std::string& key, const Names& names, Enum fallback) {
+  const std::string name = section.text(key, nameOf(names, fallback), {names.begin(), names.end()});
+  return *fromName<Enum>(names, name);
 }
 
 // 1, 4 or 9; "auto" is 0 where it is allowed.

@@ -22,7 +22,7 @@ struct TomlSection::State {
 
 namespace {
 
-/// A value as the file could have it, numbers by their shortest text.
+/// A value as the file could contain it, numbers by their shortest text.
 std::string written(const toml::node& node) {
   std::vector<std::string> parts;
   if (const toml::array* list = node.as_array()) {

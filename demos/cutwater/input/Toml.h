@@ -8,8 +8,8 @@
 namespace cutwater::command {
 
 /// One table of a TOML file, read strictly: every value is checked where it is asked for, and
-/// finish() refuses keys nobody asked for. Each error is one HydroError line "file: [table] key =
-/// value: reason".
+/// finish() refuses keys nobody asked for. Each error is one HydroError line
+/// "file: [table] key = value: reason".
 class TomlSection {
  public:
   bool has(const std::string& key) const;

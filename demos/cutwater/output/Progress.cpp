@@ -11,7 +11,7 @@ Progress::~Progress() {
   if (shown_ && isatty(STDERR_FILENO) != 0) std::fputc('\n', stderr);
 }
 
-void Progress::at(int done, int total) {
+void Progress::show(int done, int total) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (before_ < 0) {
     before_ = done;

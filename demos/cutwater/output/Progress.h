@@ -12,7 +12,7 @@ class Progress {
   explicit Progress(std::string what) : what_(std::move(what)) {}
   ~Progress();
   /// @param done  of `total`; the first call says what was done before.
-  void at(int done, int total);
+  void show(int done, int total);
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -37,8 +37,8 @@ void put(const PanelPairs& pairs, int panel, std::size_t place, WaveTile::Panels
 
 /// As field panels: of their mirror images if so; of points without extent unless the equation is
 /// averaged over them.
-WaveTile::Panels asField(WaveTile::Panels panels, bool mirrored, bool meant) {
-  const double side = mirrored ? -1.0 : 1.0, extent = meant ? 1.0 : 0.0;
+WaveTile::Panels asField(WaveTile::Panels panels, bool mirrored, bool averaged) {
+  const double side = mirrored ? -1.0 : 1.0, extent = averaged ? 1.0 : 0.0;
   for (std::size_t i = 0; i < WaveTile::kSide; ++i) {
     panels.y[i] *= side;
     panels.nx[i] *= -1.0;
@@ -69,8 +69,8 @@ FarWave::Block FarWave::blockOf(int begin, int size) const {
   Block block{begin, size, {}, {}};
   for (int i = 0; i < kSide; ++i)
     put(pairs_, begin + std::min(i, size - 1), static_cast<std::size_t>(i), block.source);
-  const bool meant = pairs_.settings().galerkinPoints > 1;
-  block.field = {asField(block.source, false, meant), asField(block.source, true, meant)};
+  const bool averaged = pairs_.settings().galerkinPoints > 1;
+  block.field = {asField(block.source, false, averaged), asField(block.source, true, averaged)};
   return block;
 }
 
@@ -131,7 +131,7 @@ void FarWave::place(const Block& field, const Block& source, bool mirrored, doub
 
 CUTWATER_VECTOR void FarWave::weigh(const FormFactors& form, const Block& field,
                                     const Block& source, bool mirrored, WaveTile& t) const {
-  const bool meant = pairs_.settings().galerkinPoints > 1;
+  const bool averaged = pairs_.settings().galerkinPoints > 1;
   WaveTile::Column at;
   for (std::size_t k = 0; k < WaveTile::kPairs; ++k) at[k] = FormFactors::placeOf(t.ex[k], t.ey[k]);
   for (int j = 0; j < source.size; ++j) {
@@ -139,9 +139,10 @@ CUTWATER_VECTOR void FarWave::weigh(const FormFactors& form, const Block& field,
     for (int i = 0; i < field.size; ++i) {
       const auto k = static_cast<std::size_t>(kSide * j + i);
       const Complex a = FormFactors::between(formJ, at[k]);
-      const Complex b = meant ? FormFactors::between(form.of(field.begin + i),
-                                                     mirrored ? FormFactors::kSteps - at[k] : at[k])
-                              : 1.0;
+      const Complex b = averaged
+                            ? FormFactors::between(form.of(field.begin + i),
+                                                   mirrored ? FormFactors::kSteps - at[k] : at[k])
+                            : 1.0;
       t.formRe[k] = a.real() * b.real() + a.imag() * b.imag();
       t.formIm[k] = a.imag() * b.real() - a.real() * b.imag();
     }
@@ -204,8 +205,8 @@ CUTWATER_VECTOR void FarWave::write(const Target& target, const At& at, const Wa
 }
 
 // With a, b the shares of a panel and of its mirror image, E and O the integrals of the two
-// parities: even a(E + O)/2 + b(E − O)/2, odd a(E + O)/2 − b(E − O)/2. The tiles hold a + b and a −
-// b.
+// parities: even a(E + O)/2 + b(E − O)/2, odd a(E + O)/2 − b(E − O)/2. The tiles hold a + b and
+// a − b.
 CUTWATER_VECTOR void FarWave::writeImages(const Target& target, const At& at,
                                           const std::array<WaveTile, 2>& tiles, Parity parity,
                                           InfluenceSystem<Complex>& system) const {

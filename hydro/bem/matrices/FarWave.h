@@ -22,12 +22,13 @@ struct InfluenceSystem {
 /// so it serves both directions. What the panels' extent does to it, to second order in
 /// size/distance and to all orders in size/wave length:
 ///     mean of g = g − o + ½⟨(s·∇)²⟩(g − o) + o S_i S_j (1 + c),
-///     o = −2πK e^{−Y}[Y₀(X) + iJ₀(X)]  the waves in g, S form factors of the two panels along the
-/// line between them, c what second moments do to a ring wave and not to a plane one; derivatives
-/// of g alike. Below X = 1 there are no waves yet: o counts from there, fully from X = 2. Where the
-/// image is not far, the share of −2/R₁ that g has become is taken from RankineMatrices' exact
-/// integral instead. Error of an entry, r.m.s. on a frigate of 433 panels a side: 1e-4 below 1.5
-/// rad/s, 1e-3 at 2.5, 0.4 % at 3.
+///     o = −2πK e^{−Y}[Y₀(X) + iJ₀(X)]
+/// o are the waves in g, S form factors of the two panels along the line between them, c what
+/// second moments do to a ring wave and not to a plane one; derivatives of g alike. Below X = 1
+/// there are no waves yet: o counts from there, fully from X = 2. Where the image is not far, the
+/// share of −2/R₁ that g has become is taken from RankineMatrices' exact integral instead. Error of
+/// an entry, r.m.s. on a frigate of 433 panels a side: 1e-4 below 1.5 rad/s, 1e-3 at 2.5, 0.4 % at
+/// 3.
 class FarWave {
  public:
   using Systems = std::array<InfluenceSystem<Complex>, 2>;

@@ -5,9 +5,9 @@ namespace cutwater {
 
 /// The two limits of the free-surface condition.
 enum class FrequencyLimit {
-  Zero,
-  Infinite
-};  ///< image +1/R₁ (rigid surface) or −1/R₁ (φ = 0 on z = 0)
+  Zero,     ///< image +1/R₁: the surface is rigid
+  Infinite  ///< image −1/R₁: φ = 0 on z = 0
+};
 
 /// Wave number [1/m] above which the lid works: 0.9 of the least at which water in the box around
 /// the hull resonates.
@@ -20,9 +20,9 @@ enum class IdleLid {
 };
 
 /// Matrices of a hull held at rest in deep water, e^{+iωt}, φ, v, σ constant on each panel:
-///     ½φ(x) + ∫ φ ∂G/∂n_ξ dS = ∫ G v dS,  v = ∂φ/∂n                    (potential)
-///     ½σ(x) + ∫ σ ∂G/∂n_x dS = v,  φ = ∫ G σ dS,  ∂φ/∂x = ½n_x σ + ∫ σ ∂G/∂x dS   (source, [M03]
-///                                                                        (49)-(54))
+/// potential:  ½φ(x) + ∫ φ ∂G/∂n_ξ dS = ∫ G v dS,  v = ∂φ/∂n
+/// source:     ½σ(x) + ∫ σ ∂G/∂n_x dS = v,  φ = ∫ G σ dS,  ∂φ/∂x = ½n_x σ + ∫ σ ∂G/∂x dS
+///                                                                         [M03] (49)-(54)
 ///     G = −(1/4π)[1/R + 1/R₁ + K F(X, Y) − 2πiK e^{−Y}J₀(X)],   K = ω²/g
 /// Each equation is averaged over its panel by 4 or 9 points (Galerkin; the wave term by what the
 /// wave length asks for), or taken at its centroid. With Galerkin weights the two formulations are

@@ -11,8 +11,8 @@ namespace {
 
 /// Relative error allowed to n × n points on a wave at calm water. Below, waves fade as e^{−Y}, but
 /// what deep panels make of short waves nearly cancels: only √ of it counts. Frigate, 433 panels a
-/// side, up to 4.2 rad/s: from 0.01 to 0.004 heave damping moves by 3 %, the others by less than 1
-/// %; with e^{−Y} in full and 0.002 it is off by half.
+/// side, up to 4.2 rad/s: from 0.01 to 0.004 heave damping moves by 3 %, the others by less than
+/// 1 %; with e^{−Y} in full and 0.002 it is off by half.
 constexpr double kWaveError = 0.005;
 
 /// n Gauss points on ∫ e^{iθs} ds, s = −1..1, are off by θ²ⁿ times this, leading term.

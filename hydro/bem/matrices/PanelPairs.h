@@ -96,9 +96,8 @@ class PanelPairs {
   std::vector<double> top_;    // highest z of each panel [m]
   std::vector<PanelMoments> moments_;
   std::vector<std::array<std::vector<QuadraturePoint>, kMostPoints>> points_;
-  std::vector<std::vector<QuadraturePoint>> seven_;  // of each panel
-  std::vector<std::vector<QuadraturePoint>>
-      centroid_;  // one point each; a triangle's rule has three
+  // Seven points of each panel; and one, as a triangle's rule has three.
+  std::vector<std::vector<QuadraturePoint>> seven_, centroid_;
 };
 
 inline Vec3 imageInY(const Vec3& x, bool mirrored) {

@@ -59,11 +59,11 @@ class RankineMatrices {
   void findOpposites(int source);
 
   const PanelPairs& pairs_;
-  std::vector<std::vector<WeightedPoints4>>
-      pointBlocks_;  // of each field panel; empty if it has not 4, 8, ...
+  // Of each field panel; empty if it has not 4, 8, ...
+  std::vector<std::vector<WeightedPoints4>> pointBlocks_;
   std::array<RankineParts, 2> parts_;
-  std::vector<std::vector<NearPair>>
-      near_;  // of each source panel: not mirrored, mirrored, by field
+  // Of each source panel: not mirrored, mirrored, by field.
+  std::vector<std::vector<NearPair>> near_;
 };
 
 }  // namespace cutwater

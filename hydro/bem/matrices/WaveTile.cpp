@@ -83,8 +83,8 @@ struct WaveChange {
 
 // Outgoing waves go as H₀ = J₀ − iY₀ along ê. With d = H₀′/H₀ = −H₁/H₀ and Bessel's equation, their
 // second moments are ½[a(−1 − d/X) + c d/X + u] + t d, a along, c across, u up, t along and up;
-// those of a plane wave, which are in the form factor, ½[−a + u] − it. H₀′ has e = H₀″/H₀′ + 1/X =
-// −1/d.
+// those of a plane wave, which are in the form factor, ½[−a + u] − it. H₀′ has
+// e = H₀″/H₀′ + 1/X = −1/d.
 CUTWATER_INLINE WaveChange change(const Waves& w, Double4 X, Double4 count,
                                   const ComplexDouble4& form, const Moments& m) {
   const Double4 same = w.J0 * w.J1 + w.Y0 * w.Y1, cross = w.J1 * w.Y0 - w.Y1 * w.J0;

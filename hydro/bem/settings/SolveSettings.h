@@ -13,8 +13,8 @@ namespace cutwater {
 using ConditionLimit = std::vector<std::pair<double, double>>;
 
 /// What to solve for. Only `omega` must be set; the other defaults suit any ship. For a ship under
-/// way choose steps up to 0.36 √(g/L) and frequencies up to 3 √(g/B): 0.1 rad/s for a length of 120
-/// m, 2.5 rad/s for a beam of 14 m.
+/// way choose steps up to 0.36 √(g/L) and frequencies up to 3 √(g/B): 0.1 rad/s for a length of
+/// 120 m, 2.5 rad/s for a beam of 14 m.
 ///     SolveSettings settings;
 ///     for (int i = 1; i <= 60; ++i) settings.omega.push_back(0.1 * i);
 ///     settings.headings = {kPi};

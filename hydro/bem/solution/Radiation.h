@@ -42,8 +42,8 @@ ModePotentials<Scalar> radiationPotentials(const SymmetricSystem<Scalar>& system
                                            const ModeNormals& normals);
 
 /// Z_jk = −ρ ∫ φ̂_k n_j dS: row j the force, column k the motion; 0 between modes of different
-/// parity of a symmetric hull. At ω → 0 and ∞ it is the added mass [kg, kg m, kg m²].   [M03] (12),
-/// (13)
+/// parity of a symmetric hull. At ω → 0 and ∞ it is the added mass [kg, kg m, kg m²].
+///                                                                       [M03] (12), (13)
 template <typename Scalar>
 Eigen::Matrix<Scalar, 6, 6> impulseMatrix(const ModePotentials<Scalar>& potentials,
                                           const ModeNormals& normals, double density);

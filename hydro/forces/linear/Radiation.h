@@ -9,7 +9,7 @@ namespace cutwater {
 class RadiationMemory;
 class RadiationModel;
 
-/// What answers a ship's own motion, but for −A^∞η̈, which acts through the engine's solver:
+/// Force of the waves that the ship radiates; −A^∞η̈ is left to the engine's solver:
 ///     F(t) = −∫₀^∞ K(U, τ) η̇(t − τ) dτ − b(U) η̇ − c(U) η            [M03] (30), (33), (41)-(45)
 /// The memory takes TickInput::etaDot, the mean over the tick just ended; b takes etaDotNow.
 ///
@@ -18,8 +18,8 @@ class RadiationModel;
 /// the work comes from. Here it comes out of the ship's way. With F = F⁰ + u f, f what the terms of
 /// speed are over u, and w = η̇ + r̄ e₆, r̄ = dψ̄/dt, a surge force of second order
 ///     F₁ −= f·w
-/// is added, so that these terms do no work in all. b, c and K are taken at u = U + η̇₁, the speed
-/// of now, not at the mean that lags behind. The report's form damps leeway by the lift of the
+/// is added, so that these terms do no work in all. b, c and K are taken at u = U + η̇₁, the present
+/// speed, not at the mean that lags behind. The report's form damps leeway by the lift of the
 /// stern, −U∂A₂₂, which drives it going astern: there a free ship has the memory of one at rest.
 /// Tuck's form holds ahead and astern.
 class Radiation final : public ForceGenerator {

@@ -4,7 +4,8 @@
 
 namespace cutwater {
 
-/// What potential flow lacks, given as numbers: viscous roll damping, the stiffness of a helmsman.
+/// Damping and stiffness given as numbers, for what potential flow lacks: viscous roll damping, the
+/// stiffness of a helmsman.
 ///     F_j = −b_j η̇_j − s_j η_j,   roll also −q |η̇₄| η̇₄                        [M03] section 9
 /// Velocities are those at t_n, so that the term is second order in the tick. Damping of yaw sees
 /// the whole rate of turn; damping of surge sees only what differs from the mean speed. On a course

@@ -7,7 +7,7 @@
 namespace cutwater {
 
 /// At which ends of a curve panels are closer together: down to 1 − c of the mean, as spacedAtStart
-/// has it.
+/// gives.
 struct Crowding {
   bool start = false, end = false;
   double c = 0.6;

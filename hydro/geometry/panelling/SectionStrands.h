@@ -5,9 +5,10 @@ namespace cutwater {
 
 /// What happens at one end of a strand.
 struct StrandEnd {
-  std::vector<SectionCurve>
-      guests;           ///< sections of other strands that go on along parts of its last
-  bool hosted = false;  ///< its last section is a part of another strand's
+  /// Sections of other strands that go on along parts of its last.
+  std::vector<SectionCurve> guests;
+  /// Its last section is a part of another strand's.
+  bool hosted = false;
   bool alone() const { return guests.empty() && !hosted; }
 };
 

@@ -14,8 +14,8 @@
 /// All throw HydroError BadArgument for counts below 1 and ValueOutOfRange for lengths ≤ 0.
 namespace cutwater {
 
-/// Box amidships at x = 0, with `freeboard` above water; faces divided in nx × (half breadth) ny ×
-/// (draft) nz. Lengths in m.
+/// Box amidships at x = 0, with `freeboard` above water; faces divided in nx × (half breadth)
+/// ny × (draft) nz. Lengths in m.
 struct BoxShape {
   double length, breadth, draft, freeboard;
 };
@@ -37,8 +37,8 @@ SurfaceMesh wetHemisphere(double radius, int around, int down);
 /// Whole sphere whose centre lies on calm water.
 SurfaceMesh closedSphere(double radius, int around, int down);
 
-/// Journée's Wigley hulls: with ξ = 2x/L, ζ = −z/T, 2y/B =
-///     (1 − ζ²)(1 − ξ²)(1 + 0.2 ξ²) + α ζ²(1 − ζ⁸)(1 − ξ²)⁴        [Journée 1992]
+/// Journée's Wigley hulls: with ξ = 2x/L, ζ = −z/T
+///     2y/B = (1 − ζ²)(1 − ξ²)(1 + 0.2 ξ²) + α ζ²(1 − ζ⁸)(1 − ξ²)⁴        [Journée 1992]
 struct WigleyShape {
   double length, breadth, draft, alpha;
 };
@@ -48,9 +48,9 @@ SurfaceMesh wetWigley(const WigleyShape& hull, int along, int girth);
 /// Wall-sided above water.
 SurfaceMesh closedWigley(const WigleyShape& hull, double freeboard, int along, int girth);
 
-/// FRIGATE-124, a formula hull with the particulars of a frigate (L 124.5, B 14.8, T 4.97 m, V 4509
-/// m³), x forward from midships. Round bilge, raked bow, transom that is dry in calm water: at the
-/// aft end of the waterline the keel line rises to z = 0, so the last wet panels end on the
+/// FRIGATE-124, a formula hull with the particulars of a frigate: L 124.5 m, B 14.8 m, T 4.97 m, V
+/// 4509 m³; x forward from midships. Round bilge, raked bow, transom that is dry in calm water: at
+/// the aft end of the waterline the keel line rises to z = 0, so the last wet panels end on the
 /// waterplane. `along` stations × `girth` strips; quadrilaterals but for the fan at the stem and
 /// one split corner at the transom: along × girth + 1 panels a side.
 SurfaceMesh wetFrigate(int along, int girth);

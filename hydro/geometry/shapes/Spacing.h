@@ -10,8 +10,8 @@ namespace cutwater {
 /// n + 1 values from 0 to 1 in equal steps.
 std::vector<double> uniform(int n);
 
-/// n + 1 values from 0 to 1, closer together at both ends: the spacing goes as 1 − c cos 2πu, 0 ≤ c
-/// < 1.
+/// n + 1 values from 0 to 1, closer together at both ends: the spacing goes as 1 − c cos 2πu,
+/// 0 ≤ c < 1.
 std::vector<double> spacedAtEnds(int n, double c);
 
 /// n + 1 values from 0 to 1, closer together at 0: the spacing goes from 1 − c to 1 + c of the mean

@@ -28,8 +28,8 @@ Hydrostatics hydrostaticsOf(const SurfaceMesh& wetPort) {
   return hydrostatics(wet, Vec3(0, 0, 1.29), 1025.0, kStandardGravity);
 }
 
-// 0.3 %: two divisions of one surface into as many panels differ by their second-order errors, 1.1
-// % of V at 224 panels and 0.3 % at 1040, and only in how they place them.
+// 0.3 %: two divisions of one surface into as many panels differ by their second-order errors,
+// 1.1 % of V at 224 panels and 0.3 % at 1040, and only in how they place them.
 TEST(FrigateVerification, PanelMeshesHaveTheVolumesOfTheTable) {
   for (const Row& row : kTable) {
     const FrigateDivision d = frigateDivision(row.panels);

@@ -33,9 +33,9 @@ TEST(LoftClosedForm, StraightSectionsStayStraight) {
   EXPECT_NEAR(h.beam, 6.0, 1e-9);
 }
 
-// Particulars kept with the offsets: mass 2.460962e7 kg, C33 3.16839e7 N/m at 1025 kg/m³ and 9.81
-// m/s², centre of gravity 2.5475 m aft. Another maker's integration of 24 sections: 0.5 % of V and
-// C33, 0.1 % of the length.
+// Particulars kept with the offsets: mass 2.460962e7 kg, C33 3.16839e7 N/m at 1025 kg/m³ and
+// 9.81 m/s², centre of gravity 2.5475 m aft. Another maker's integration of 24 sections: 0.5 % of V
+// and C33, 0.1 % of the length.
 TEST(LoftVerification, S175HasThePublishedParticulars) {
   const test::TestHull s175 = test::testS175();
   const Hydrostatics h =

@@ -56,8 +56,9 @@ TEST(ShapesConvergence, SphereAtSecondOrder) {
   }
 }
 
-/// Exact integrals of Journée's hulls: ∫(1−ζ²)dζ = 2/3, ∫(1−ξ²)(1+0.2ξ²)dξ = 2·(1 − 1/3 + 0.2/3 −
-/// 0.2/5), ∫(ζ²−ζ¹⁰)dζ = 8/33, ∫(1−ξ²)⁴dξ = 256/315 (whole range 2·128/315).
+/// Exact integrals of Journée's hulls: ∫(1−ζ²)dζ = 2/3,
+/// ∫(1−ξ²)(1+0.2ξ²)dξ = 2·(1 − 1/3 + 0.2/3 − 0.2/5), ∫(ζ²−ζ¹⁰)dζ = 8/33, ∫(1−ξ²)⁴dξ = 256/315
+/// (whole range 2·128/315).
 double wigleyVolume(const WigleyShape& w) {
   const double plane = 2 * (1 - 1.0 / 3 + 0.2 / 3 - 0.2 / 5);
   return w.breadth * 0.5 * w.length * w.draft *
