@@ -1,7 +1,5 @@
 #include "hydro/finish/ConsistentLimit.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -15,15 +13,9 @@ namespace {
 
 constexpr double kToDampingX = 0.5,
                  kFromDampingX = 0.8;  // of the last frequency used: ∂A becomes ∂B's
-/// A(∞) from one frequency is as far off as this: a resonance that deserves to be named.
-constexpr double kResonance = 0.2;
-
-Mat6 relative(const Mat6& difference, const Vec6& size) {
-  return difference.cwiseQuotient(size * size.transpose()).cwiseAbs();
-}
 
 double largest(const Mat6& difference, const Vec6& size) {
-  return relative(difference, size).maxCoeff();
+  return difference.cwiseQuotient(size * size.transpose()).cwiseAbs().maxCoeff();
 }
 
 /// √A_jj, but not less than a trifle of the translations', so that a mode without added mass (the
@@ -96,39 +88,6 @@ ConsistentLimit consistentLimit(const Coefficients& c, const RetardationMatrix& 
   limit.median = medianOf(limitsOf(c, memory));
   limit.medianDistance = largest(direct - limit.median, size);
   return limit;
-}
-
-std::string resonanceWarning(const Coefficients& c) {
-  if (!c.hasConsistentLimit()) return {};
-  const RetardationMatrix memory(c);
-  const Vec6 size = sizeOf(c.addedMass.atInfinity, c.ship.volume);
-  double scatter = 0.0;
-  for (const Mat6& value : overMiddleBand(c, [&](std::size_t i) -> Mat6 {
-         return memory.addedMassInf(c.omega[i], c.addedMass[i]);
-       }))
-    scatter = std::max(scatter, largest(value - c.addedMass.atInfinity, size));
-  if (scatter < 1.5 * kLargestScatter) return {};  // the mean was within it of each
-
-  const std::vector<Mat6> values = limitsOf(c, memory);
-  std::vector<double> off;
-  for (const Mat6& value : values) off.push_back(largest(value - c.addedMass.atInfinity, size));
-  const double worst = *std::max_element(off.begin(), off.end());
-  std::string places;
-  for (std::size_t i = 0; i < off.size(); ++i) {
-    const bool peak =
-        (i == 0 || off[i] >= off[i - 1]) && (i + 1 == off.size() || off[i] > off[i + 1]);
-    if (!peak || off[i] < std::min(worst, kResonance)) continue;
-    Eigen::Index mode = 0;
-    relative(values[i] - c.addedMass.atInfinity, size).diagonal().maxCoeff(&mode);
-    places +=
-        fmt::format("{}{} near {:.3g}", places.empty() ? "" : ", ", kModeNames[mode], c.omega[i]);
-  }
-  return fmt::format(
-      "resonances are narrower than the steps of the frequency grid: {} rad/s. There motions in "
-      "the "
-      "time domain are not right. Smaller steps make them better, and a lid or a mask if the water "
-      "inside the hull resounds",
-      places);
 }
 
 void continueConsistently(Coefficients& c, const RetardationMatrix& memory,

@@ -1,6 +1,4 @@
 #pragma once
-#include <string>
-
 #include "hydro/memory/RetardationMatrix.h"
 
 namespace cutwater {
@@ -21,8 +19,8 @@ struct ConsistentLimit {
   /// Scatter and distance are below their bounds: the data reach far enough and are fine enough.
   bool trusted = false;
 
-  /// For data with resonances narrower than the steps, whose values near them are far off: the
-  /// median over all resolved frequencies, entry by entry, and its distance as above.
+  /// For data with resonances narrower than the steps (memory/Resonances.h), whose values near them
+  /// are far off: the median over all resolved frequencies, entry by entry; its distance as above.
   Mat6 median = Mat6::Zero();
   double medianDistance = 0.0;
 };
@@ -32,10 +30,6 @@ inline constexpr double kLargestMedianDistance = 0.5;
 
 /// @param memory  of the same coefficients.
 ConsistentLimit consistentLimit(const Coefficients& coefficients, const RetardationMatrix& memory);
-
-/// Where A(ω) and B(ω) do not belong together: the frequencies at which the limit that they give is
-/// furthest from A(∞), in one line with the modes; empty if they scatter as little as they should.
-std::string resonanceWarning(const Coefficients& coefficients);
 
 /// Puts a limit into place as `addedMass.atInfinity` and keeps the solver's own as
 /// `addedMassInfDirect`. Above `resolvedOmega` = Ω′ A and B become the memory's continuation: B by

@@ -14,7 +14,7 @@ namespace cutwater {
 /// The result is `Finished`. Where the grid is too coarse, too short or one frequency, step 3 is
 /// left out and the result is `Unfinished`, with the reason and the grid that would do. Resonances
 /// narrower than the steps of a grid that is fine enough otherwise, such as those of the water
-/// between two hulls, do not hinder: resonanceWarning (ConsistentLimit.h) names them.
+/// between two hulls, do not hinder: resonanceWarning (memory/Resonances.h) names them.
 /// @throws HydroError DatabaseIncomplete: the condition limits leave fewer than two frequencies;
 ///         ValueOutOfRange, FrequenciesNotIncreasing: bad condition limits.
 Coefficients finish(SolverOutput output);

@@ -69,7 +69,24 @@ std::vector<std::string> GridNeeds::advice() const {
   return lines;
 }
 
-std::string unfinishedReason(const GridNeeds& grid, const ConsistentLimit& limit) {
+std::optional<NegativeDamping> negativeDamping(const CoefficientTables& c) {
+  constexpr double kRoundOff = -0.01;
+  std::optional<NegativeDamping> worst;
+  for (int j = 0; j < 6; ++j) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < resolvedCount(c); ++i)
+      largest = std::max(largest, std::abs(c.damping[i](j, j)));
+    for (std::size_t i = 0; i < resolvedCount(c); ++i) {
+      const double share = largest > 0.0 ? c.damping[i](j, j) / largest : 0.0;
+      if (share < (worst ? worst->share : kRoundOff))
+        worst = NegativeDamping{static_cast<Mode>(j), c.omega[i], share};
+    }
+  }
+  return worst;
+}
+
+std::string unfinishedReason(const GridNeeds& grid, const ConsistentLimit& limit,
+                             const std::optional<NegativeDamping>& negative) {
   std::vector<std::string> lines = grid.advice();
   if (!grid.leastCount) {
     lines.insert(lines.begin(), "the panels resolve fewer than 8 of the frequencies");
@@ -81,7 +98,12 @@ std::string unfinishedReason(const GridNeeds& grid, const ConsistentLimit& limit
                     100.0 * limit.scatter, 100.0 * kLargestScatter, 100.0 * limit.distance,
                     100.0 * kLargestDistance));
   }
-  if (lines.size() == 1 && grid.leastCount) {
+  if (negative) {
+    lines.push_back(
+        fmt::format("damping in {} is {:.2g} % of its largest at {:.3g} rad/s, though "
+                    "no ship's is negative: use a finer mesh, or a mask",
+                    kModeNames[negative->mode], 100.0 * negative->share, negative->omega));
+  } else if (lines.size() == 1 && grid.leastCount) {
     lines.push_back(
         fmt::format("damping has peaks narrower than the steps of {:.3g} rad/s: try smaller "
                     "ones, and a lid or a mask if the resonances are inside the hull",

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,19 @@ struct GridNeeds {
   std::vector<std::string> advice() const;
 };
 
+/// The most negative diagonal damping below `resolvedOmega`, which no real ship has.
+struct NegativeDamping {
+  Mode mode;
+  double omega;  ///< [rad/s]
+  double share;  ///< of the mode's largest damping, < 0
+};
+/// Absent where no B_jj is below −1 % of its largest value; less is the solver's error where B
+/// nearly vanishes.
+std::optional<NegativeDamping> negativeDamping(const CoefficientTables& coefficients);
+
 /// Why these coefficients, whose limit is not to be trusted, have no memory.
-std::string unfinishedReason(const GridNeeds& grid, const ConsistentLimit& limit);
+std::string unfinishedReason(const GridNeeds& grid, const ConsistentLimit& limit,
+                             const std::optional<NegativeDamping>& negative);
 /// The same of a single frequency.
 std::string singleFrequencyReason(const GridNeeds& grid);
 

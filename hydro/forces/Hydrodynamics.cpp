@@ -7,6 +7,7 @@
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/memory/RadiationModel.h"
+#include "hydro/memory/Resonances.h"
 
 namespace cutwater {
 
@@ -42,7 +43,12 @@ std::shared_ptr<const RadiationModel> Hydrodynamics::radiation() const {
 
 std::shared_ptr<const Hydrodynamics> readHydrodynamics(const std::string& path,
                                                        std::string* warning) {
-  return std::make_shared<const Hydrodynamics>(readCoefficients(path, warning));
+  auto ship = std::make_shared<const Hydrodynamics>(readCoefficients(path, warning));
+  if (warning && warning->empty()) {
+    *warning = resonanceWarning(ship->coefficients());
+    if (!warning->empty()) *warning = path + ": " + *warning;
+  }
+  return ship;
 }
 
 }  // namespace cutwater

@@ -45,7 +45,8 @@ class Hydrodynamics {
 };
 
 /// Reads a database (CoefficientsFile.h) to be shared by ships.
-/// @param warning  receives one line that says what a plain BEMIO file lacks, or "".
+/// @param warning  receives one line that says what a plain BEMIO file lacks, or near which
+///        frequencies the ship's motions are not right because the water resonates; or "".
 /// @throws HydroError as readCoefficients and Hydrodynamics.
 std::shared_ptr<const Hydrodynamics> readHydrodynamics(const std::string& path,
                                                        std::string* warning = nullptr);

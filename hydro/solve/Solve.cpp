@@ -1,10 +1,9 @@
 #include "hydro/solve/Solve.h"
 
 #include "hydro/bem/BuildCoefficients.h"
-#include "hydro/finish/ConsistentLimit.h"
 #include "hydro/finish/Finish.h"
 #include "hydro/finish/GridNeeds.h"
-#include "hydro/memory/RetardationMatrix.h"
+#include "hydro/memory/Resonances.h"
 
 namespace cutwater {
 

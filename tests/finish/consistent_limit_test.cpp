@@ -2,6 +2,7 @@
 
 #include "hydro/database/Interpolation.h"
 #include "hydro/finish/ConsistentLimit.h"
+#include "hydro/memory/Resonances.h"
 #include "tests/memory/CausalShip.h"
 
 // A ship whose A, B, ∂A and ∂B are known in closed form at every frequency.
@@ -93,18 +94,10 @@ TEST(ConsistentLimitClosedForm, AResonanceMovesTheMeanNotTheMedian) {
   // (2/π)S/ω₀², the half of the frequencies below ω₀, is what the median may be off.
   EXPECT_NEAR(limit.median(Sway, Sway), size, 2.0 / kPi * S / 9.0 * 1.5);
   EXPECT_NEAR(limit.median(Heave, Heave), ship.addedMassInf(Heave, Heave), 1e-3 * size);
-
-  EXPECT_EQ(resonanceWarning(c), "");  // it has no limit yet
-  continueConsistently(c, memory, limit.median);
-  EXPECT_NE(resonanceWarning(c).find("sway near 3"), std::string::npos) << resonanceWarning(c);
-  EXPECT_EQ(resonanceWarning(c).find("heave"), std::string::npos) << resonanceWarning(c);
-}
-
-TEST(ConsistentLimitIdentity, GoodCoefficientsHaveNoResonances) {
-  Coefficients c = roughShip();
-  const RetardationMatrix memory(c);
-  continueConsistently(c, memory, consistentLimit(c, memory).addedMassInf);
-  EXPECT_EQ(resonanceWarning(c), "");
+  const std::vector<Resonance> found = resonances(c, memory, limit.median);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].mode, Sway);
+  EXPECT_DOUBLE_EQ(found[0].omega, 3.0);
 }
 
 }  // namespace

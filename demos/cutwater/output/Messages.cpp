@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "hydro/Errors.h"
-#include "hydro/finish/ConsistentLimit.h"
+#include "hydro/memory/Resonances.h"
 
 namespace cutwater::command {
 
