@@ -55,6 +55,9 @@ enum StepFault : std::uint32_t {
   kBodyNotInWorld = 1u << 3,      ///< the ship's body was removed from the world by somebody else
   kSolverNotSupported = 1u << 4,  ///< the world's solver cannot carry added mass (btMLCPSolver)
   kCallbackReplaced = 1u << 5,    ///< somebody replaced the pre-tick callback: a tick without loads
+  /// The ship makes a speed at which its own motions grow (Hydrodynamics::stability): outside the
+  /// theory, and all loads are applied.
+  kSpeedOutsideTheory = 1u << 6,
 };
 
 }  // namespace cutwater

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "hydro/Errors.h"
 #include "hydro/forces/Hydrodynamics.h"
@@ -56,6 +57,12 @@ Ship::Ship(btDiscreteDynamicsWorld& world, const WorldFrame& frame,
       *body_, frame_.mass(coefficients().addedMass.atInfinity));
   switchOff(settings.model.without);
   const auto& held = settings.model.restrained;
+  const auto grows = [&](const GrowthLimit& limit) {
+    constexpr double kNever = std::numeric_limits<double>::infinity();
+    return held.at(static_cast<std::size_t>(limit.mode)) ? kNever : limit.speed.value_or(kNever);
+  };
+  growsAhead_ = grows(hydrodynamics().stability().ahead);
+  growsAstern_ = grows(hydrodynamics().stability().astern);
   if (std::find(held.begin(), held.end(), true) != held.end())
     restraint_ = std::make_unique<CourseRestraint>(*body_, held);
   startAgain();
@@ -264,6 +271,7 @@ std::uint32_t Ship::beginTick(double time, btScalar step) noexcept {
   const Mat3 heading = rotationZ(record_.attitude.z());
   findInput(time, static_cast<double>(step), heading);
   record_.velocity = input_.velocityNow;
+  if (input_.speed >= growsAhead_ || -input_.speed >= growsAstern_) faults |= kSpeedOutsideTheory;
   faults |= evaluate(heading);
   if (!apply(step, heading)) faults |= kLoadNotFinite;
   turnAddedMass(heading);

@@ -251,6 +251,8 @@ class Ship {
   double preparedFor_ = 0.0;          // length of tick the parts were made for; 0: none
   std::uint64_t partsKey_ = 0;
   bool measuring_ = false;
+  double growsAhead_ = 0.0,
+         growsAstern_ = 0.0;    // speeds at which the ship's motions grow [m/s]; ∞: none
   std::size_t broken_ = kNone;  // index of the first part whose load was not finite
 
   TickInput input_;  // of the tick under way

@@ -40,6 +40,7 @@ std::vector<double> grid() {
 std::vector<Means> fourMeans(const Job& job) {
   const ShipParticulars& ship = job.medium().ship;
   SolveSettings settings;
+  settings.forwardSpeed = ForwardSpeedForm::Report;
   settings.omega = job.omega();
   settings.speeds = {kSpeed};
   settings.headings = bothHeadings();

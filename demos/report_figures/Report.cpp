@@ -45,6 +45,7 @@ std::vector<Mesh> readMeshes(const std::string& shipFile, int panels) {
 
 SolveSettings ours(const Job& job) {
   SolveSettings settings;
+  settings.forwardSpeed = ForwardSpeedForm::Report;
   settings.omega = job.omega();
   return settings;
 }

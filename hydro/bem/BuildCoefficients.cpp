@@ -36,7 +36,7 @@ std::string describe(const SolveSettings& settings, std::size_t lidPanels) {
          "\ngalerkin_points = " + points(settings.galerkinPoints) +
          "\ncurved_panels = " + word(settings.curvedPanels) + "\nlid = " + word(settings.lid) +
          "\nlid_panels = " + std::to_string(lidPanels) +
-         "\nx_derivatives = " + word(settings.xDerivatives) + "\ninfluence = \"" +
+         "\nx_derivatives = " + word(settings.xDerivatives()) + "\ninfluence = \"" +
          nameOf(kInfluenceNames, settings.influence) + "\"\n";
 }
 
@@ -83,14 +83,14 @@ class Sweep {
     const std::size_t count = out_.omega.size();
     out_.addedMass.values.resize(count);
     out_.damping.values.resize(count);
-    if (settings.xDerivatives) {
+    if (settings.xDerivatives()) {
       out_.addedMassX.values.resize(count);
       out_.dampingX.values.resize(count);
     }
     if (settings.influence == Influence::Adjoint) {
       const ModeVectors zero = ModeVectors::Zero(6, normals_.n.rows());
       out_.adjoint.values.assign(count, zero);
-      if (settings.xDerivatives) out_.adjointX.values.assign(count, zero);
+      if (settings.xDerivatives()) out_.adjointX.values.assign(count, zero);
     }
     out_.froudeKrylov.assign(out_.headings.size(), std::vector<CVec6>(count));
     out_.diffraction = out_.froudeKrylov;
@@ -113,7 +113,7 @@ class Sweep {
       const bool keepsVectors = settings_.influence == Influence::Adjoint;
       here(out_.addedMass) = (Complex(0.0, 1.0) * forcesOnUnitMotions(b.omega, normals_)).real();
       if (keepsVectors) here(out_.adjoint) = b.omega;
-      if (!settings_.xDerivatives) continue;
+      if (!settings_.xDerivatives()) continue;
       here(out_.addedMassX) = forcesOnUnitMotions(b.speed, normals_).real();
       if (keepsVectors) here(out_.adjointX) = b.speed;
     }
@@ -130,7 +130,7 @@ class Sweep {
     diffract(b, i);
     if (settings_.influence == Influence::Adjoint) {
       out_.adjoint[i] = b.omega;
-      if (settings_.xDerivatives) out_.adjointX[i] = b.speed;
+      if (settings_.xDerivatives()) out_.adjointX[i] = b.speed;
     }
     out_.conditionEven[i] = system.condition(Parity::Even);
     if (matrices_.parities() == 2) out_.conditionOdd[i] = system.condition(Parity::Odd);
@@ -155,7 +155,7 @@ class Sweep {
   template <typename Scalar>
   AdjointVectors adjointsOf(const SymmetricSystem<Scalar>& system) const {
     return adjointVectors(system, normals_, out_.ship.density,
-                          settings_.xDerivatives ? &derivative_ : nullptr);
+                          settings_.xDerivatives() ? &derivative_ : nullptr);
   }
 
   void radiate(const AdjointVectors& b, std::size_t i) {
@@ -163,7 +163,7 @@ class Sweep {
     const CMat6 Z = Complex(0.0, 1.0) * forcesOnUnitMotions(b.omega, normals_);
     out_.addedMass[i] = addedMass(Z);
     out_.damping[i] = damping(Z, omega);
-    if (!settings_.xDerivatives) return;
+    if (!settings_.xDerivatives()) return;
     const CMat6 ZX = forcesOnUnitMotions(b.speed, normals_);
     out_.addedMassX[i] = addedMass(ZX);
     out_.dampingX[i] = damping(ZX, omega);

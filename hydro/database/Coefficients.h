@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,6 +32,20 @@ enum class ForwardSpeedForm {
 };
 /// What files and commands call them.
 inline constexpr std::array kForwardSpeedNames{"report", "tuck"};
+
+/// The lowest steady speed at which a motion of the ship grows by itself.
+struct GrowthLimit {
+  std::optional<double> speed = {};  ///< [m/s] ≥ 0; absent: none up to the last one checked
+  int mode = 0;                      ///< Mode that grows there
+};
+/// Steady speeds at which small motions grow by themselves (memory/SpeedStability.h), in the form
+/// `CoefficientTables::forwardSpeed`.
+struct SpeedStability {
+  double checkedTo = 0.0;               ///< last speed looked at [m/s], astern half of it; 0: none
+  GrowthLimit ahead = {}, astern = {};  ///< surge, heave, roll or pitch grows
+  /// Lowest speed ahead [m/s] at which the ship does not keep its course by itself.
+  std::optional<double> course = {};
+};
 
 /// F_D [N/m, N·m/m] on a grid of conditions, form of `Coefficients::forwardSpeed`.
 struct DiffractionTable {
@@ -130,7 +145,10 @@ struct CoefficientTables {
   OverFrequency<AdjointVectors> adjoint, adjointX;
 
   /// How the terms of forward speed are put together unless another form is asked for.
-  ForwardSpeedForm forwardSpeed = ForwardSpeedForm::Report;
+  ForwardSpeedForm forwardSpeed = ForwardSpeedForm::Tuck;
+
+  /// At which speeds small motions grow; filled by `solve`.
+  SpeedStability stability;
 
   /// Diffraction by other means than adjoint vectors; empty unless the solver was asked for it.
   DiffractionTable diffractionTable;

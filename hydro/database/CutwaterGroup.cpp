@@ -247,6 +247,35 @@ void transferStatus(Store&& store, C& c) {
   store("unfinished_because", c.unfinishedBecause);
 }
 
+/// What version 4 added: speeds at which motions grow, −1 where there is none.
+template <class Store>
+void writeStability(Store&& store, const SpeedStability& s) {
+  store("stability/checked_to", s.checkedTo);
+  store("stability/ahead", std::vector{s.ahead.speed.value_or(-1.0), double(s.ahead.mode)});
+  store("stability/astern", std::vector{s.astern.speed.value_or(-1.0), double(s.astern.mode)});
+  store("stability/course", s.course.value_or(-1.0));
+}
+
+SpeedStability readStability(GroupReader& store) {
+  SpeedStability s;
+  const auto speed = [](double stored) {
+    return stored >= 0.0 ? std::optional(stored) : std::nullopt;
+  };
+  const auto limit = [&](const std::string& name) {
+    std::vector<double> stored(2);
+    store(name, stored);
+    stored.resize(2);
+    return GrowthLimit{speed(stored[0]), std::clamp(static_cast<int>(stored[1]), 0, 5)};
+  };
+  double course = -1.0;
+  store("stability/checked_to", s.checkedTo);
+  s.ahead = limit("stability/ahead");
+  s.astern = limit("stability/astern");
+  store("stability/course", course);
+  s.course = speed(course);
+  return s;
+}
+
 /// Version 2 did not say: `cutwater solve` wrote a database without a consistent A(∞) if its grid
 /// was too coarse, and a program that did not finish its coefficients wrote one as well.
 void deduceStatus(Coefficients& c) {
@@ -288,6 +317,7 @@ void writeCutwaterGroup(hdf5::Writer& writer, const Coefficients& coefficients) 
   GroupWriter store(writer);
   transfer(store, coefficients);
   transferStatus(store, coefficients);
+  writeStability(store, coefficients.stability);
 }
 
 Coefficients readCutwaterGroup(const hdf5::Reader& reader, std::int64_t version) {
@@ -299,6 +329,7 @@ Coefficients readCutwaterGroup(const hdf5::Reader& reader, std::int64_t version)
   } else {
     deduceStatus(coefficients);
   }
+  if (version >= 4) coefficients.stability = readStability(store);
   return coefficients;
 }
 

@@ -8,6 +8,7 @@
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/memory/RadiationModel.h"
 #include "hydro/memory/Resonances.h"
+#include "hydro/memory/SpeedStability.h"
 
 namespace cutwater {
 
@@ -39,6 +40,16 @@ std::shared_ptr<const RadiationModel> Hydrodynamics::radiation() const {
   const std::lock_guard lock(mutex_);
   if (!radiation_) radiation_ = std::make_shared<RadiationModel>(*coefficients_, form_);
   return radiation_;
+}
+
+const SpeedStability& Hydrodynamics::stability() const {
+  const auto model = radiation();
+  const std::lock_guard lock(mutex_);
+  if (!stability_)
+    stability_ = speedStability(
+        *coefficients_, *model,
+        std::max(coefficients_->stability.checkedTo, lastSpeedToCheck(coefficients_->ship)));
+  return *stability_;
 }
 
 std::shared_ptr<const Hydrodynamics> readHydrodynamics(const std::string& path,

@@ -35,6 +35,9 @@ class Hydrodynamics {
 
   /// Retardation functions and their fit, made once.  @throws HydroError as RadiationModel.
   std::shared_ptr<const RadiationModel> radiation() const;
+  /// Speeds at which the ship's own motions grow, in this form and with its own supplementary terms.
+  /// Found once, in some hundredths of a second.  @throws HydroError as radiation().
+  const SpeedStability& stability() const;
 
  private:
   std::shared_ptr<const Coefficients> coefficients_;
@@ -42,6 +45,7 @@ class Hydrodynamics {
   double length_, keel_;
   mutable std::mutex mutex_;
   mutable std::shared_ptr<const RadiationModel> radiation_;
+  mutable std::optional<SpeedStability> stability_;
 };
 
 /// Reads a database (CoefficientsFile.h) to be shared by ships.

@@ -1,15 +1,25 @@
 #include "hydro/solve/Solve.h"
 
+#include <algorithm>
+
 #include "hydro/bem/BuildCoefficients.h"
 #include "hydro/finish/Finish.h"
 #include "hydro/finish/GridNeeds.h"
 #include "hydro/memory/Resonances.h"
+#include "hydro/memory/SpeedStability.h"
 
 namespace cutwater {
 
 Coefficients solve(const ShipParticulars& ship, const SolveSettings& settings,
                    const SolveProgress& progress, const std::string& journal) {
-  return finish(buildCoefficients(ship, settings, progress, journal));
+  Coefficients c = finish(buildCoefficients(ship, settings, progress, journal));
+  if (c.status != CoefficientStatus::Finished) return c;
+  const double asked = settings.speeds.empty()
+                           ? 0.0
+                           : *std::max_element(settings.speeds.begin(), settings.speeds.end());
+  c.stability = speedStability(c, RadiationModel(c, c.forwardSpeed),
+                               std::max(asked, lastSpeedToCheck(c.ship)));
+  return c;
 }
 
 std::vector<std::string> gridWarnings(const Coefficients& c) {

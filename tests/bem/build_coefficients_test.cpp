@@ -17,6 +17,7 @@ ShipParticulars smallShip() {
 
 SolveSettings fewFrequencies(int threads) {
   SolveSettings settings;
+  settings.forwardSpeed = ForwardSpeedForm::Report;
   settings.omega = {0.4, 0.9, 1.5, 2.2, 3.0};
   settings.headings = {kPi, 2.0};
   settings.threads = threads;

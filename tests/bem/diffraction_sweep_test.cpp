@@ -14,6 +14,7 @@ ShipParticulars frigate(int along, int girth) { return frigateAfloat({along, gir
 /// Up to 2.4 rad/s, which these panels resolve.
 SolveSettings settings(Influence influence, double step, int count) {
   SolveSettings s;
+  s.forwardSpeed = ForwardSpeedForm::Report;
   for (int i = 1; i <= count; ++i) s.omega.push_back(step * i);
   s.influence = influence;
   s.speeds = {0.0, 8.0, 16.0};

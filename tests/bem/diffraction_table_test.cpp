@@ -16,6 +16,7 @@ struct SmallSweep {
   ModeNormals normals;
   XDerivative stokes;
   SolveSettings settings;
+  settings.forwardSpeed = ForwardSpeedForm::Report;
 
   explicit SmallSweep(Influence influence)
       : ship(particulars()),

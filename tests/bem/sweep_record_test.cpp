@@ -105,6 +105,7 @@ TEST(SweepRecordIdentity, KeyChangesWithAllThatAFrequencyDependsOn) {
 // What is only found out by the sweep does not change its key.
 TEST(SweepRecordIdentity, KeyDoesNotDependOnResultsOrThreads) {
   SolveSettings settings;
+  settings.forwardSpeed = ForwardSpeedForm::Report;
   Coefficients c = numberedOutput();
   const std::uint64_t key = journalKey(c, settings);
   c.damping[0].setZero();

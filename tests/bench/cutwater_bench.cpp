@@ -30,6 +30,7 @@ ShipParticulars frigate(int panels) {
 
 SolveSettings sweep(int frequencies, int threads) {
   SolveSettings settings;
+  settings.forwardSpeed = ForwardSpeedForm::Report;
   for (int i = 1; i <= frequencies; ++i) settings.omega.push_back(6.0 * i / frequencies);
   for (const double degrees : {30.0, 150.0, 165.0, 180.0})
     settings.headings.push_back(degrees * kPi / 180.0);

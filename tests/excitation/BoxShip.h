@@ -12,6 +12,7 @@ inline constexpr double kBoxGravity = 9.81, kBoxDensity = 1000.0;
 // A box 20 × 6 × 2 m with given A and B: no solver is needed to test what forces do with them.
 inline Coefficients boxShip(const Vec3& cog = Vec3(0.5, 0.0, 0.3)) {
   Coefficients c;
+  c.forwardSpeed = ForwardSpeedForm::Report;
   c.ship = afloat({{}, wetBox({20.0, 6.0, 2.0, 1.0}, 16, 4, 3), true},
                   {.cog = cog, .gyradii = Vec3(2.0, 5.0, 5.0)}, {kBoxDensity, kBoxGravity})
                .ship;

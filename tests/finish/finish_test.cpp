@@ -35,6 +35,7 @@ static_assert(std::is_invocable_r_v<Coefficients, decltype(finish), SolverOutput
 /// Frigate, 224 panels a side, resolved up to 2.44 rad/s.
 SolverOutput frigateOutput(int count, double step, bool vectors = false) {
   SolveSettings settings;
+  settings.forwardSpeed = ForwardSpeedForm::Report;
   for (int i = 1; i <= count; ++i) settings.omega.push_back(step * i);
   if (vectors) settings.headings = {kPi};
   return buildCoefficients(test::frigateAfloat(frigateDivision(224)), settings);

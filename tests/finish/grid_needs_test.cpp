@@ -15,6 +15,7 @@ namespace {
 const SolverOutput& fineOutput() {
   static const SolverOutput output = [] {
     SolveSettings settings;
+    settings.forwardSpeed = ForwardSpeedForm::Report;
     for (int i = 1; i <= 60; ++i) settings.omega.push_back(0.05 * i);
     return buildCoefficients(test::frigateAfloat(frigateDivision(224)), settings);
   }();

@@ -66,6 +66,7 @@ struct CausalShip {
   Coefficients coefficients(double step, double last) const {
     Coefficients c;
     c.ship.volume = 1.0;
+    c.forwardSpeed = ForwardSpeedForm::Report;
     const auto zero = [](const CausalKernel& k) { return k.E(0.0); };
     c.addedMass.atInfinity = addedMassInf;
     c.addedMassX.atInfinity = addedMassXInf;

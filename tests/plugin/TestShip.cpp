@@ -41,6 +41,7 @@ void addWaveForces(Coefficients& c) {
 
 Coefficients hemisphere() {
   Coefficients c;
+  c.forwardSpeed = ForwardSpeedForm::Report;
   c.ship.name = "hemisphere";
   c.ship.mass = 261800.0;
   c.ship.cog = Vec3(0, 0, -2);

@@ -34,6 +34,7 @@ double omegaOf(double reduced) { return reduced * std::sqrt(kGravity / kWigleyLe
 
 SolverOutput solveWigley(const SurfaceMesh& wet, std::vector<double> omega,
                          SolveSettings settings) {
+  settings.forwardSpeed = ForwardSpeedForm::Report;
   std::sort(omega.begin(), omega.end());
   const auto same = [](double a, double b) { return b - a < 1e-9 * b; };
   omega.erase(std::unique(omega.begin(), omega.end(), same), omega.end());

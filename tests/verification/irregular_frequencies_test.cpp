@@ -36,7 +36,6 @@ Coefficients solved(const Hull& hull, bool lid, bool mask) {
   SolveSettings settings;
   settings.omega = hull.omega;
   settings.lid = lid;
-  settings.xDerivatives = false;
   if (mask) settings.conditionLimitEven = hull.even, settings.conditionLimitOdd = hull.odd;
   settings.threads = 2;
   return solve(ship, settings);

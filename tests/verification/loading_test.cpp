@@ -20,6 +20,7 @@ ShipParticulars box(const Vec3& cog, bool whole) {
 
 Coefficients solvedAbout(const Vec3& cog, bool whole) {
   SolveSettings settings;
+  settings.forwardSpeed = ForwardSpeedForm::Report;
   settings.omega = {0.6, 1.4};
   settings.headings = {0.7, kPi};
   settings.threads = 2;

@@ -23,7 +23,6 @@ SolverOutput frigate(int panels, double lidPanelLength, const std::vector<double
   SolveSettings settings;
   settings.omega = omega;
   settings.lidPanelLength = lidPanelLength;
-  settings.xDerivatives = false;
   return buildCoefficients(test::frigateAfloat(frigateDivision(panels)), settings);
 }
 

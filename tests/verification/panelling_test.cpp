@@ -23,7 +23,6 @@ SolverOutput solved(const SurfaceMesh& wetPort, const std::vector<double>& omega
   ship.mass = ship.density * ship.volume;
   SolveSettings settings;
   settings.omega = omega;
-  settings.xDerivatives = false;
   return buildCoefficients(ship, settings);
 }
 

@@ -34,6 +34,7 @@ std::vector<double> gridOfDatabase() {
 
 SolverOutput solvedFrigate(int panels, const std::vector<double>& omega = gridOfDatabase()) {
   SolveSettings settings;
+  settings.forwardSpeed = ForwardSpeedForm::Report;
   settings.omega = omega;
   return buildCoefficients(test::frigateAfloat(frigateDivision(panels)), settings);
 }

@@ -8,6 +8,19 @@ namespace cutwater::command {
 
 namespace {
 
+// x-derivatives as solved, or as Tuck's form has them, T times the quantity; a file in the report's
+// form without them has none.
+OverFrequency<Mat6> slopes(const Coefficients& c, const OverFrequency<Mat6>& solved,
+                           const OverFrequency<Mat6>& quantity) {
+  if (!solved.empty() || c.forwardSpeed == ForwardSpeedForm::Report) return solved;
+  OverFrequency<Mat6> found = quantity;
+  const Mat6 T = tuckMatrix();
+  for (Mat6& m : found) m = T * m;
+  found.atZero = T * quantity.atZero;
+  found.atInfinity = T * quantity.atInfinity;
+  return found;
+}
+
 // dA_dx and dB_dx of one frequency, null where not computed.
 struct Slopes {
   const Mat6 *addedMass, *damping;
@@ -30,20 +43,21 @@ void append(Csv& csv, double omega, const SpeedCoefficients& moving, const Slope
 void coefficients(const std::string& database, const SpeedOptions& moving, const std::string& out) {
   const Coefficients c = readDatabase(database, moving);
   const ForwardSpeedForm form = moving.form(c);
-  const bool computed = !c.addedMassX.empty();
-  if (!computed) warn(database + ": holds no x-derivatives: dA_dx and dB_dx are nan");
+  const OverFrequency<Mat6> addedMassX = slopes(c, c.addedMassX, c.addedMass),
+                            dampingX = slopes(c, c.dampingX, c.damping);
+  const bool known = !addedMassX.empty();
+  if (!known) warn(database + ": holds no x-derivatives: dA_dx and dB_dx are nan");
   const Mat6 zero = Mat6::Zero();
   Csv csv("omega,j,k,A,B,dA_dx,dB_dx");
-  const auto add = [&](double omega, const Mat6& addedMassX, const Mat6& dampingX) {
+  const auto add = [&](double omega, const Mat6& addedMass, const Mat6& damping) {
     append(csv, omega, atSpeed(c, omega, moving.speed, form),
-           computed ? Slopes{&addedMassX, &dampingX} : Slopes{nullptr, nullptr});
+           known ? Slopes{&addedMass, &damping} : Slopes{nullptr, nullptr});
   };
   naming(database, [&] {
-    add(0.0, c.addedMassX.atZero, zero);
-    for (std::size_t i = 0; i < c.omega.size(); ++i) {
-      add(c.omega[i], computed ? c.addedMassX[i] : zero, computed ? c.dampingX[i] : zero);
-    }
-    add(std::numeric_limits<double>::infinity(), c.addedMassX.atInfinity, zero);
+    add(0.0, addedMassX.atZero, zero);
+    for (std::size_t i = 0; i < c.omega.size(); ++i)
+      add(c.omega[i], known ? addedMassX[i] : zero, known ? dampingX[i] : zero);
+    add(std::numeric_limits<double>::infinity(), addedMassX.atInfinity, zero);
   });
   csv.write(out);
 }

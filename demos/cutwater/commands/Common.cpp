@@ -57,13 +57,32 @@ const std::vector<double>& defaultWaveOmega(const Coefficients& coefficients) {
   return coefficients.waveOmega.empty() ? coefficients.omega : coefficients.waveOmega;
 }
 
+// The report's form needs x-derivatives, and holds ahead only.
+static void requireReportForm(const std::string& path, const SpeedOptions& moving,
+                              const Coefficients& coefficients) {
+  if (moving.speed < 0.0) {
+    throw UsageError(
+        fmt::format("--speed {}: astern with --form tuck only, as the report's form of "
+                    "the speed terms drives a ship astern",
+                    moving.speed));
+  }
+  if (coefficients.addedMassX.empty() && moving.speed != 0.0) {
+    throw HydroError(Fault::DatabaseIncomplete,
+                     path +
+                         ": --form report needs x-derivatives, which are not in the file; solve "
+                         "with forward_speed = \"report\"");
+  }
+}
+
 Coefficients readDatabase(const std::string& path, const SpeedOptions& moving) {
-  if (!(moving.speed >= 0.0 && moving.speed <= 100.0)) {
-    throw UsageError(fmt::format("--speed {}: must be in 0..100 m/s", moving.speed));
+  if (!(std::abs(moving.speed) <= 100.0)) {
+    throw UsageError(fmt::format("--speed {}: must be in -100..100 m/s", moving.speed));
   }
   std::string warning;
   Coefficients coefficients = readCoefficients(path, &warning);
   warn(warning);
+  if (moving.form(coefficients) == ForwardSpeedForm::Report)
+    requireReportForm(path, moving, coefficients);
   return coefficients;
 }
 

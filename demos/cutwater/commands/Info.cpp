@@ -107,6 +107,20 @@ double solversAsymmetry(const Coefficients& c, const std::string& name,
   return 100.0 * (told.empty() ? asymmetry(table) : std::strtod(told.c_str(), nullptr));
 }
 
+// Speeds at which the ship's own motions grow.
+void listStability(Csv& csv, const SpeedStability& stability) {
+  if (stability.checkedTo <= 0.0) return;
+  list(csv, "stability_checked_to", csvNumber(stability.checkedTo), "m/s");
+  const auto limit = [&](const std::string& name, const GrowthLimit& found) {
+    list(csv, name, found.speed ? csvNumber(*found.speed) : "none", "m/s");
+    if (found.speed) list(csv, name + "_mode", kModeNames[found.mode], "");
+  };
+  limit("unstable_above", stability.ahead);
+  limit("unstable_above_astern", stability.astern);
+  list(csv, "course_stable", stability.course ? "0" : "1", "");
+  if (stability.course) list(csv, "course_unstable_above", csvNumber(*stability.course), "m/s");
+}
+
 // What the file holds for forward speed.
 void listSpeed(Csv& csv, const Coefficients& c) {
   list(csv, "forward_speed", nameOf(kForwardSpeedNames, c.forwardSpeed), "");
@@ -117,6 +131,7 @@ void listSpeed(Csv& csv, const Coefficients& c) {
     list(csv, fmt::format("speed_{}", i + 1), csvNumber(c.diffractionTable.speeds[i]), "m/s");
   }
   if (!c.adjoint.empty()) list(csv, "speeds", "any", "m/s");
+  listStability(csv, c.stability);
 }
 
 // How the time domain remembers: the fit's size and its distance from the convolution.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "demos/cutwater/commands/Commands.h"
@@ -9,6 +10,7 @@
 #include "demos/cutwater/output/Csv.h"
 #include "demos/cutwater/output/Progress.h"
 #include "hydro/Errors.h"
+#include "hydro/base/EnumNames.h"
 #include "plugin/Recorder.h"
 
 namespace cutwater::command {
@@ -34,6 +36,32 @@ void printParts(const Recorder& recorder, const Ship& ship) {
   }
 }
 
+// Refuses a speed at which the ship's own motions grow; a ship that leaves its course is warned of.
+void checkStability(const RunFile& run, const Hydrodynamics& ship) {
+  const SpeedStability& stability = ship.stability();
+  const double speed = run.start.speed;
+  const GrowthLimit& limit = speed < 0.0 ? stability.astern : stability.ahead;
+  const bool held = run.model.restrained.at(static_cast<std::size_t>(limit.mode));
+  if (limit.speed && !held && std::abs(speed) >= *limit.speed) {
+    const std::string line =
+        fmt::format("[motion] speed = {} m/s: unstable above {:.3g} m/s{} in {} (form {})", speed,
+                    *limit.speed, speed < 0.0 ? " astern" : "", kModeNames[limit.mode],
+                    nameOf(kForwardSpeedNames, ship.form()));
+    if (!run.allowUnstable)
+      throw HydroError(Fault::ValueOutOfRange,
+                       line +
+                           "; solve with forward_speed = \"tuck\", go slower, restrain that mode, "
+                           "or set allow_unstable = true");
+    warn(run.path + ": " + line);
+  }
+  if (run.model.mean == Mean::Filtered && !run.model.keepCourse && stability.course &&
+      speed >= *stability.course)
+    warn(
+        fmt::format("{}: [motion] speed = {} m/s: the ship does not keep its course by itself from "
+                    "{:.3g} m/s on",
+                    run.path, speed, *stability.course));
+}
+
 }  // namespace
 
 std::shared_ptr<const Hydrodynamics> hydrodynamicsOf(const RunFile& run) {
@@ -42,6 +70,7 @@ std::shared_ptr<const Hydrodynamics> hydrodynamicsOf(const RunFile& run) {
   std::shared_ptr<const Hydrodynamics> ship;
   naming(run.database,
          [&] { ship = std::make_shared<const Hydrodynamics>(std::move(coefficients)); });
+  naming(run.path, [&] { checkStability(run, *ship); });
   return ship;
 }
 
@@ -60,6 +89,11 @@ std::string describeFaults(RunShip& run) {
   add(kCallbackReplaced, "the world's pre-tick callback was overwritten");
   add(kSolverNotSupported, "the solver cannot carry added mass");
   return line;
+}
+
+static void warnOfTheory(RunShip& run, const std::string& path) {
+  if ((run.seaway().faults() & kSpeedOutsideTheory) != 0)
+    warn(path + ": the ship made a speed at which its own motions grow: outside the theory");
 }
 
 void simulate(const std::string& path, bool forces, const std::string& out) {
@@ -86,6 +120,7 @@ void simulate(const std::string& path, bool forces, const std::string& out) {
   const std::string faults = describeFaults(world);
   if (!faults.empty()) throw HydroError(Fault::ValueOutOfRange, path + ": " + faults);
   writeText(recorder.csv(), out);
+  warnOfTheory(world, path);
   if (forces) printParts(recorder, world.ship());
 }
 

@@ -13,6 +13,7 @@
 #include "demos/cutwater/output/Progress.h"
 #include "hydro/Errors.h"
 #include "hydro/database/CoefficientsFile.h"
+#include "hydro/memory/SpeedStability.h"
 
 namespace cutwater::command {
 
@@ -103,6 +104,7 @@ void solve(const std::string& path, const std::string& database, int threads) {
   }
   for (const std::string& line : gridWarnings(coefficients))
     warn(path + ": [solve] omega: " + line);
+  for (const std::string& line : describe(coefficients.stability)) warn(path + ": " + line);
   ImpulseResponse memory;  // K for the readers of BEMIO
   naming(path, [&] { memory = impulseResponse(coefficients); });
   writeCoefficients(coefficients, database, memory);

@@ -120,6 +120,7 @@ void readMotion(TomlSection motion, RunFile& run) {
       motion.text("memory", "exponential", {"exponential", "convolution"}) == "convolution";
   model.memory = convolution ? MemoryModel::Convolution : MemoryModel::Exponential;
   model.without = motion.texts("without");
+  run.allowUnstable = motion.boolean("allow_unstable", false);
   for (const double mode : motion.numbers("restrain", {}, 1.0, 6.0)) {
     if (mode != std::floor(mode)) motion.refuse("restrain", "must hold modes 1..6");
     model.restrained[static_cast<std::size_t>(mode) - 1] = true;

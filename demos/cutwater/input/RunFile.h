@@ -33,6 +33,7 @@ struct RunFile {
   double heading = kPi;
   ShipStart start;  ///< speed along the initial course, offsets from it
   ShipModel model;
+  bool allowUnstable = false;  ///< also at speeds at which the ship's own motions grow
 
   /// The sea of this run; of regular waves the one at `omega[index]`.
   SeaState seaState(double gravity, std::size_t index = 0) const;

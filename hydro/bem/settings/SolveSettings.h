@@ -25,18 +25,20 @@ struct SolveSettings {
   std::vector<double> speeds;     ///< U [m/s] ≥ 0 for the same
   Formulation formulation = Formulation::Potential;
   Derivatives derivatives = Derivatives::Stokes;
-  ForwardSpeedForm forwardSpeed = ForwardSpeedForm::Report;
+  /// Report solves ∂A, ∂B and the adjoint vectors of ∂φ/∂x besides: a file twice as large.
+  ForwardSpeedForm forwardSpeed = ForwardSpeedForm::Tuck;
   int sourcePoints = 0;    ///< Gauss points of the wave term on a source panel: 1, 4, 9; 0: by ω
   int galerkinPoints = 4;  ///< points of a field panel that share its equation: 1, 4, 9
   bool curvedPanels = false;    ///< panels moved out to the surface through the vertices
   bool lid = true;              ///< lid panels on the interior waterplane: no irregular frequencies
   double lidPanelLength = 0.0;  ///< [m]; 0: as the hull's panels along the waterline
-  bool xDerivatives = true;     ///< ∂A, ∂B, and adjoint vectors of ∂φ/∂x
   /// Anything but Adjoint fills `Coefficients::diffractionTable` for speeds × headings × waveOmega
   /// instead of the adjoint vectors.
   Influence influence = Influence::Adjoint;
   ConditionLimit conditionLimitEven, conditionLimitOdd;
   int threads = 0;  ///< 0: as many as the machine has. Results do not depend on it.
+
+  bool xDerivatives() const noexcept { return forwardSpeed == ForwardSpeedForm::Report; }
 };
 
 /// Called at the start with what the journal holds, then after each finished frequency, by one
