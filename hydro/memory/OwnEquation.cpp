@@ -4,6 +4,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace cutwater {
 
@@ -150,44 +151,70 @@ class OwnEquation::AtSpeed {
     return result;
   }
 
-  /// Newton's method for a zero that is not yet among those found; a complex one brings its
-  /// conjugate.
-  void search(Complex s, std::vector<GrowingMotion>& found) const {
-    const double h = 1e-5 * own_.rate_;
-    for (int iteration = 0; iteration < 60; ++iteration) {
-      const Complex value = determinant(s);
-      const Complex slope = (determinant(s + h) - determinant(s - h)) / (2.0 * h);
-      Complex inverse = slope / value;
-      for (const GrowingMotion& motion : found) inverse -= 1.0 / (s - motion.s);
-      Complex step = 1.0 / inverse;
-      const double longest = 0.3 * (std::abs(s) + own_.rate_);
-      if (!std::isfinite(std::abs(step))) return;
-      if (std::abs(step) > longest) step *= longest / std::abs(step);
-      s -= step;
-      if (s.real() < 0.1 * own_.least_) return;  // not a growing one
-      if (std::abs(step) > 1e-8 * own_.rate_) continue;
-      if (s.real() <= own_.least_) return;
-      found.push_back(motionAt(s));
-      if (std::abs(s.imag()) > 1e-6 * own_.rate_) {
-        found.push_back(found.back());
-        found.back().s = std::conj(s);
-      }
-      return;
-    }
+  /// A growing motion that is not yet among those found; a complex one brings its conjugate.
+  void search(Complex start, std::vector<GrowingMotion>& found) const {
+    std::vector<Complex> known;
+    for (const GrowingMotion& motion : found) known.push_back(motion.s);
+    const std::optional<Complex> s = zeroNear(start, known);
+    if (!s) return;
+    found.push_back(motionAt(*s));
+    if (std::abs(s->imag()) < 1e-6 * own_.rate_) return;
+    found.push_back(found.back());
+    found.back().s = std::conj(*s);
   }
 
+  /// Newton's method for a zero of det D with Re s > σ, those known divided out.
+  std::optional<Complex> zeroNear(Complex s, const std::vector<Complex>& known) const {
+    const double h = 1e-5 * own_.rate_;
+    for (int iteration = 0; iteration < 60; ++iteration) {
+      const Complex slope = (determinant(s + h) - determinant(s - h)) / (2.0 * h);
+      Complex inverse = slope / determinant(s);
+      for (const Complex& other : known) inverse -= 1.0 / (s - other);
+      Complex step = 1.0 / inverse;
+      if (!std::isfinite(std::abs(step))) return {};
+      const double longest = 0.3 * (std::abs(s) + own_.rate_);
+      if (std::abs(step) > longest) step *= longest / std::abs(step);
+      s -= step;
+      if (s.real() < 0.1 * own_.least_) return {};
+      if (std::abs(step) < 1e-8 * own_.rate_)
+        return s.real() > own_.least_ ? std::optional(s) : std::nullopt;
+    }
+    return {};
+  }
+
+  /// The motion e^{st} and its cause: of the modes without which it would not grow, the one with the
+  /// largest share of the kinetic energy. (A slow turn drags a heel along, a slow dive a surge.)
   GrowingMotion motionAt(Complex s) const {
+    const std::vector<int> order = byEnergy(s);
+    for (const int mode : order) {
+      if (order.size() > 1 && growsWithout(mode, s)) continue;
+      return {s, static_cast<Mode>(mode)};
+    }
+    return {s, static_cast<Mode>(order.front())};
+  }
+
+  /// The modes by their share of the kinetic energy, the largest first.
+  std::vector<int> byEnergy(Complex s) const {
     const Eigen::MatrixXcd system = CMat6(whole(s))(modes_, modes_);
-    const Vec6 energy = std::norm(s) * inertia_.diagonal() +
-                        own_.coefficients_.ship.restoring.diagonal().cwiseAbs();
-    const Eigen::VectorXd size = energy(modes_).cwiseSqrt();
-    // In units of √energy, so that the shares are of energy.
+    const Eigen::VectorXd size = inertia_.diagonal()(modes_).cwiseSqrt();
     const Eigen::MatrixXcd scaled =
         size.cwiseInverse().asDiagonal() * system * size.cwiseInverse().asDiagonal();
     const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(scaled, Eigen::ComputeThinV);
-    Eigen::Index largest = 0;
-    svd.matrixV().rightCols<1>().cwiseAbs().maxCoeff(&largest);
-    return {s, static_cast<Mode>(modes_[static_cast<std::size_t>(largest)])};
+    const Eigen::VectorXd share = svd.matrixV().rightCols<1>().cwiseAbs();
+    std::vector<int> order(modes_.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+    std::sort(order.begin(), order.end(), [&](int i, int j) { return share[i] > share[j]; });
+    for (int& i : order) i = modes_[static_cast<std::size_t>(i)];
+    return order;
+  }
+
+  /// With this mode held there is still a motion much like e^{st}.
+  bool growsWithout(int mode, Complex s) const {
+    AtSpeed held = *this;
+    std::erase(held.modes_, mode);
+    held.scale_ = inertia_(held.modes_, held.modes_).eval().determinant();
+    const std::optional<Complex> found = held.zeroNear(s, {});
+    return found && std::abs(*found - s) < 0.5 * std::abs(s);
   }
 
   const OwnEquation& own_;

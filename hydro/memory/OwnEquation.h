@@ -9,7 +9,7 @@ namespace cutwater {
 /// A small motion that grows by itself, e^{st} with Re s > 0.
 struct GrowingMotion {
   Complex s;  ///< [1/s]
-  Mode mode;  ///< the one with the largest share of the energy
+  Mode mode;  ///< its cause: the motion would not grow with this mode held
 };
 
 /// A ship's own equation at one steady speed, without waves and without anybody at the helm, as the

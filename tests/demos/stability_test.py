@@ -1,0 +1,134 @@
+"""stability_test.py COMMAND FOLDER MESHES: speeds at which a ship's own motions grow.
+
+A launch with an immersed transom steams off by itself in the report's form of the speed terms; in
+Tuck's it keeps its speed.
+"""
+import csv
+import io
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+COMMAND, FOLDER, MESHES = (os.path.abspath(argument) for argument in sys.argv[1:4])
+
+SHIP = f"""[hull]
+mesh = "{FOLDER}/transom_launch.obj"
+panels = 120
+[mass]
+cog = [-2.2, 0.0, 0.3]
+[solve]
+FORM
+omega = {{ from = 0.2, to = 5.0, step = 0.2 }}
+"""
+RUN = """database = "launch.h5"
+[bullet]
+duration = 100.0
+[waves]
+type = "none"
+[motion]
+speed = 3.5
+restrain = [2, 3, 4, 5, 6]
+start = { u = 0.1 }
+"""
+
+
+def call(*arguments, folder):
+    return subprocess.run([COMMAND, *arguments], capture_output=True, text=True, check=False,
+                          cwd=folder)
+
+
+class Launch(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def write(self, name, text):
+        with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
+            file.write(text)
+        return name
+
+    def solve(self, form=""):
+        ship = self.write("launch.toml", SHIP.replace("FORM", form))
+        done = call("solve", ship, "-o", "launch.h5", folder=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stderr
+
+    def simulate(self, text):
+        return call("simulate", self.write("run.toml", text), folder=self.folder)
+
+    def info(self):
+        text = call("info", "launch.h5", folder=self.folder).stdout
+        return {row["name"]: row["value"] for row in csv.DictReader(io.StringIO(text))}
+
+    def last_speed(self, done):
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return float(list(csv.DictReader(io.StringIO(done.stdout)))[-1]["u"])
+
+    def test_the_reports_form_is_refused_where_it_grows(self):
+        self.assertIn("in surge", self.solve('forward_speed = "report"'))
+        names = self.info()
+        self.assertEqual(names["unstable_above_mode"], "surge")
+        self.assertLess(float(names["unstable_above"]), 0.5)
+        done = self.simulate(RUN)
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stdout, "")
+        for word in ("run.toml", "speed = 3.5", "unstable above", "surge", "tuck",
+                     "allow_unstable"):
+            self.assertIn(word, done.stderr)
+        # On request it runs, with a warning, and does what was said. 25 s: e-fold in 6 s.
+        short = RUN.replace("duration = 100.0", "duration = 25.0")
+        done = self.simulate(short + "allow_unstable = true\n")
+        self.assertIn("unstable above", done.stderr)
+        self.assertIn("outside the theory", done.stderr)
+        self.assertGreater(self.last_speed(done), 5.0)
+        # With surge held nothing grows.
+        held = RUN.replace("restrain = [2, 3, 4, 5, 6]", "restrain = [1]")
+        self.assertEqual(self.simulate(held).returncode, 0)
+
+    def test_tucks_form_is_the_default_and_keeps_the_speed(self):
+        self.solve()
+        names = self.info()
+        self.assertEqual(names["forward_speed"], "tuck")
+        self.assertEqual(names["x_derivatives"], "0")
+        self.assertEqual(names["course_stable"], "1")
+        # 3.6 m/s at the start; the waves that getting under way made take a little.
+        self.assertAlmostEqual(self.last_speed(self.simulate(RUN)), 3.6, delta=0.02)
+
+    def test_the_reports_form_of_a_file_in_tucks_is_refused_by_name(self):
+        self.solve()
+        done = call("coefficients", "launch.h5", "--speed", "3", "--form", "report",
+                    folder=self.folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("forward_speed", done.stderr)
+        rows = list(csv.DictReader(io.StringIO(
+            call("coefficients", "launch.h5", folder=self.folder).stdout)))
+        entry = {(row["omega"], row["j"], row["k"]): row for row in rows}
+        self.assertEqual(entry["0.4", "5", "3"]["dA_dx"], entry["0.4", "3", "3"]["A"])  # T_53 = 1
+        self.assertEqual(float(entry["0.4", "6", "2"]["dB_dx"]),
+                         -float(entry["0.4", "2", "2"]["B"]))
+
+    # With the roll damping of its hull and keels. Without any the report's form makes it roll.
+    def test_frigate_is_stable_to_20_m_s_in_either_form(self):
+        for form in ("tuck", "report"):
+            ship = self.write("f.toml", f"""[hull]
+mesh = "{MESHES}/frigate/frigate_224.obj"
+[mass]
+cog = [-2.4044, 0.0, 1.29]
+[solve]
+forward_speed = "{form}"
+omega = {{ from = 0.1, to = 4.0, step = 0.1 }}
+[supplementary]
+roll_damping = 2.0e7
+""")
+            done = call("solve", ship, "-o", "launch.h5", folder=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            names = self.info()
+            self.assertEqual(names["unstable_above"], "none")
+            self.assertGreater(float(names["stability_checked_to"]), 20.0)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
