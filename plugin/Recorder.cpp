@@ -1,10 +1,11 @@
 #include "plugin/Recorder.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <span>
 
 #include "hydro/Errors.h"
 #include "hydro/base/AtomicFile.h"
+#include "hydro/base/CsvRow.h"
 
 CUTWATER_PLUGIN_BEGIN
 
@@ -76,11 +77,8 @@ void Recorder::tickDone(const Seaway&) noexcept {
 std::string Recorder::csv() const {
   std::string text;
   for (const std::string& name : names_) text += name + (&name == &names_.back() ? "\n" : ",");
-  char number[32];
-  for (std::size_t i = 0; i < numbers_.size(); ++i) {
-    std::snprintf(number, sizeof number, "%.9g", numbers_[i]);
-    text += number;
-    text += (i + 1) % names_.size() == 0 ? '\n' : ',';
+  for (std::size_t row = 0; row < rows(); ++row) {
+    addCsvRow(text, std::span(numbers_).subspan(row * names_.size(), names_.size()));
   }
   return text;
 }

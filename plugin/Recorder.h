@@ -6,7 +6,12 @@
 
 CUTWATER_PLUGIN_BEGIN
 
-/// What a Recorder writes down of each tick.
+/// The motions of a ship as CSV.
+///     Recorder recorder(seaway, ship, {.forces = true});
+///     for (int i = 0; i < 3000; ++i) world.stepSimulation(0.02, 1, 0.02);
+///     recorder.write("run.csv");
+
+/// What a Recorder writes down.
 struct RecorderSettings {
   bool forces = false;  ///< the parts of the load as well
   int every = 1;        ///< record one tick in so many, the first one included

@@ -4,7 +4,12 @@
 CUTWATER_PLUGIN_BEGIN
 
 /// How a Bullet world measures: its up axis, its unit of length and of mass, the height of calm
-/// water. Everything that Cutwater gives and takes is SI in E (z up, z = 0 at calm water);
+/// water.
+///     Seaway seaway(world, sea, {.up = WorldFrame::Up::Y, .metresPerUnit = 0.01});
+///     world.setGravity(btVector3(0, -980.665f, 0));
+///     const btVector3 above = seaway.frame().place(ship.position() + Vec3(0, 0, 20));
+///
+/// Everything that Cutwater gives and takes is SI in E (z up, z = 0 at calm water);
 /// everything of Bullet's own (bodies, worlds, btIDebugDraw) is in the world's axes and units. The
 /// world's origin in plan is E's. Gravity is to be given to Bullet in the world's units, as for any
 /// scene.

@@ -8,6 +8,7 @@
 #include "hydro/excitation/WaveExcitation.h"
 #include "hydro/finish/Finish.h"
 #include "hydro/geometry/panels/Lid.h"
+#include "hydro/geometry/panels/WetSurface.h"
 
 namespace cutwater::report {
 
@@ -74,7 +75,7 @@ Eigen::MatrixXcd wholeHull(const Eigen::MatrixXcd& even, const Eigen::MatrixXcd&
 void timeOurs(const Mesh& mesh, const std::vector<double>& omegas, Breakdown& times) {
   const ShipParticulars& ship = mesh.ship;
   const InfluenceMatrices matrices = times.timed("Rankine integrals (once)", 1.0, [&] {
-    return InfluenceMatrices(makePanels(ship.wetSurface, ship.symmetric));
+    return InfluenceMatrices(WetSurface(ship.wetSurface, ship.symmetric).panels());
   });
   const ModeNormals normals(matrices.mesh(), ship.cog);
   const XDerivative stokes(ship.wetSurface, matrices.mesh());
@@ -113,7 +114,7 @@ void timeReports(const Mesh& mesh, const std::vector<double>& omegas, Breakdown&
   const ShipParticulars& ship = mesh.ship;
   const std::string sources = "sources, 4 x 4 points: ";
   const InfluenceMatrices matrices = times.timed(sources + "Rankine integrals (once)", 1.0, [&] {
-    return InfluenceMatrices(makePanels(ship.wetSurface, ship.symmetric),
+    return InfluenceMatrices(WetSurface(ship.wetSurface, ship.symmetric).panels(),
                              {Formulation::Source, true, 4, 4, 1});
   });
   const double share = 1.0 / static_cast<double>(omegas.size());
@@ -195,7 +196,7 @@ std::vector<Sweeps> writeTable4(const Job& job) {
     writeCoefficients(database, name);
     SolverOutput sources = buildCoefficients(mesh.ship, reports(job, 4, 4));
     const std::vector<double>& omega = database.omega;
-    const auto number = [](double value) { return command::csvNumber(value) + ","; };
+    const auto number = [](double value) { return csvNumber(value) + ","; };
     csv.row({static_cast<double>(conditions), build, wall.count(), read,
              static_cast<double>(std::filesystem::file_size(name)), database.resolvedOmega,
              sources.resolvedOmega},

@@ -1,5 +1,4 @@
 #pragma once
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
 #include <cstdio>
@@ -9,6 +8,7 @@
 
 #include "demos/scenes/BulletWorld.h"
 #include "hydro/base/AtomicFile.h"
+#include "hydro/base/CsvRow.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/forces/Hydrodynamics.h"
 #include "plugin/Seaway.h"
@@ -20,16 +20,7 @@ namespace cutwater {
 class DemoTable {
  public:
   explicit DemoTable(const char* header) : text_(std::string(header) + '\n') {}
-  void row(std::initializer_list<double> values) {
-    const char* between = "";
-    for (const double value : values) {
-      char digits[40];
-      std::snprintf(digits, sizeof digits, "%s%.9g", between, value);
-      text_ += digits;
-      between = ",";
-    }
-    text_ += '\n';
-  }
+  void row(std::initializer_list<double> values) { addCsvRow(text_, values); }
   const std::string& text() const noexcept { return text_; }
 
  private:
@@ -68,10 +59,6 @@ int demoMain(int argc, char** argv, const std::string& name, const char* header,
     std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
     return 1;
   }
-}
-
-inline Mat3 aboutZ(double angle) {
-  return Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
 }
 
 /// Heave, roll and pitch at rest of a ship that carries `mass` [kg] at a place about G [m] fixed to

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "demos/scenes/DemoShip.h"
+#include "plugin/ShipAxes.h"
 
 using namespace cutwater;
 
@@ -25,7 +26,7 @@ struct Result {
 Vec3 impulse(const Ship& ship) {
   const Vec6 load = ship.load("gravity") + ship.load("restoring") + ship.load("radiation") +
                     ship.load("supplementary");
-  return kTick * aboutZ(ship.course().heading()) * load.head<3>();
+  return kTick * rotationZ(ship.course().heading()) * load.head<3>();
 }
 
 Result collide(const std::shared_ptr<const Hydrodynamics>& frigate, int iterations,

@@ -6,6 +6,10 @@
 namespace cutwater {
 
 /// The mean course that linear theory is about: place x̄, ȳ, heading ψ̄ and speed U of frame H in E.
+///     const MeanCourse& course = ship.course();  // plugin/Ship.h
+///     const double ahead = course.speed(), turning = course.turnRate();
+///     const MeanCourse::Place soon = course.ahead(10.0);
+///
 /// Fixed: a straight line at constant speed, as in [M03]. Filtered: it follows the ship slowly,
 /// each of x, y, ψ by a low-pass filter of third order with all poles at −ν,
 ///     x̄⃛ = ν³(x − x̄) + 3ν²(ẋ − x̄˙) − 3ν x̄¨,      x̄/x = (3ν²s + ν³)/(s + ν)³

@@ -3,8 +3,12 @@
 
 namespace cutwater {
 
-/// Volume, centres, metacentric heights and restoring matrix of a hull at rest: what hydrostatics()
-/// returns. Positions in hull axes (x forward, y port, z up from calm water); lengths are those of
+/// Volume, centres, metacentric heights and restoring matrix of a hull at rest.
+///     const SurfaceMesh wet = wholeWet(panelledAsItIs(readHull("frigate.obj")));  // ship/Afloat.h
+///     const Hydrostatics h = hydrostatics(wet, {0, 0, 1.29}, kSeaWaterDensity, kStandardGravity);
+///     std::printf("GM %.2f m, draught %.2f m\n", h.gmT, h.draft);
+///
+/// Positions in hull axes (x forward, y port, z up from calm water); lengths are those of
 /// the wet surface.
 struct Hydrostatics {
   double volume = 0.0;            ///< V [m³]

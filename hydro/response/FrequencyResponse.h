@@ -9,13 +9,21 @@ namespace cutwater {
 
 class WaveExcitation;
 
-/// Motions in regular waves by the frequency domain, at forward speed U:
+/// Below this ω_e [rad/s] surge, sway and yaw, which have no stiffness, grow without bound and are
+/// not theory.
+inline constexpr double kLeastEncounterFrequency = 0.1;
+
+/// Motions in regular waves by the frequency domain, at forward speed U.
+///     const Coefficients frigate = readCoefficients("frigate.h5");  // must outlive the response
+///     const FrequencyResponse response(frigate);
+///     const double heave = std::abs(response.at(0.6, kPi, 8.0)[Heave]);  // [m/m], head waves
+///
 ///   {−ω_e²(M + A(U)) + iω_e(B(U) + B_s) + (C + C_s)} η̂ = F_I + F_D                [M03] (5)
 /// with A, B the solver's own values, interpolated in ω_e and continued above the resolved
 /// frequency, and B_s, C_s the linear supplementary terms; a quadratic roll damping is not linear
 /// and is left out. η(t) = Re{η̂ e^{iω′t}} with the signed ω′ = ω_I − kU cos β: for ω′ < 0 the
-/// equation is solved at ω_e = |ω′| for conj(F) and the answer conjugated. Below ω_e ≈ 0.1 rad/s
-/// surge, sway and yaw, which have no stiffness, grow without bound and are not theory.
+/// equation is solved at ω_e = |ω′| for conj(F) and the answer conjugated. Answers below
+/// kLeastEncounterFrequency are of no use in surge, sway and yaw.
 class FrequencyResponse {
  public:
   /// @param coefficients must outlive this object.

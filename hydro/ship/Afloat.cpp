@@ -19,8 +19,8 @@ Afloat afloat(const PanelledHull& hull, const Loading& loading, const Water& wat
     cog.y() = hull.symmetric ? 0.0 : buoyancy.y();
   }
   Afloat result;
-  const Hydrostatics& h = result.hydrostatics =
-      hydrostatics(wet, cog, water.density, water.gravity);
+  result.hydrostatics = hydrostatics(wet, cog, water.density, water.gravity);
+  const Hydrostatics& h = result.hydrostatics;
   ShipParticulars& ship = result.ship;
   ship.hull = hull.surface;
   ship.wetSurface = hull.panels;

@@ -6,6 +6,11 @@
 
 namespace cutwater {
 
+/// A ship as the solver and the database take it.
+///     ShipParticulars ship = afloat(panelledAsItIs(readHull("frigate.obj"))).ship;
+///     ship.name = "frigate";
+///     ship.supplementary.damping[Roll] = 2e7;
+
 /// Terms that potential theory lacks, given by the user: the force on the ship is
 /// −damping·η̇ − quadratic·|η̇₄|η̇₄ − stiffness·η.
 struct Supplementary {

@@ -6,6 +6,12 @@
 
 namespace cutwater {
 
+/// Waves: one regular wave, or a sum of them.
+///     const SeaState sea({{.omega = 0.6, .amplitude = 1.5, .heading = kPi}}, kStandardGravity);
+///     const double height = sea.elevation(10.0, 0.0, 0.0);  // [m] at t = 10 s in the origin
+///     Seaway seaway(world, sea);                             // plugin/Seaway.h
+/// Irregular seas are made by makeSeaState (Spectrum.h).
+
 /// One regular wave of small amplitude in deep water:
 ///   ζ = a cos(ωt − k(x cos β − y sin β) + ε), k = ω²/g, x, y in earth axes E.
 struct WaveComponent {

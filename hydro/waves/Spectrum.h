@@ -6,6 +6,10 @@
 
 namespace cutwater {
 
+/// Irregular seas from a significant height and a peak period.
+///     const Spectrum rough{.hs = 4.0, .tp = 10.0};
+///     const SeaState sea = makeSeaState(rough, {.heading = kPi, .seed = 7});
+
 /// Wave energy spectra S(ω) [m²s] with ∫₀^∞ S dω = hs²/16.
 ///   Bretschneider     S = (5/16) hs² ω_p⁴ ω⁻⁵ e^{−(5/4)(ω_p/ω)⁴}                    [ITTC 1978]
 ///   PiersonMoskowitz  the same; ω_p = 0.4 √(g/hs) of a fully developed sea unless tp is given.

@@ -15,6 +15,18 @@ inline PanelMesh panels(const SurfaceMesh& wet, bool symmetric, bool lid, bool c
   return mesh;
 }
 
+/// The same hull panels, port and starboard, as a hull without symmetry.
+inline PanelMesh bothSides(const PanelMesh& port) {
+  PanelMesh whole = port;
+  whole.symmetric = false;
+  for (const Panel& panel : port.panels) {
+    std::vector<Vec3> corners(panel.corner.rend() - panel.corners, panel.corner.rend());
+    for (Vec3& corner : corners) corner.y() *= -1.0;
+    whole.panels.push_back(flatPanel(corners));
+  }
+  return whole;
+}
+
 inline SymmetricSystem<Complex> systemAt(const InfluenceMatrices& matrices, double K) {
   return {matrices.atWaveNumber(K), matrices.parities()};
 }

@@ -2,6 +2,7 @@
 
 #include "hydro/Errors.h"
 #include "hydro/bem/BuildCoefficients.h"
+#include "hydro/geometry/panels/WetSurface.h"
 #include "tests/bem/Bodies.h"
 
 namespace cutwater::test {
@@ -67,7 +68,7 @@ TEST(BuildCoefficientsIdentity, SameBitsWhenInterruptedAndResumed) {
 
 TEST(BuildCoefficientsIdentity, AdjointVectorsReproduceTheDiffractionTable) {
   const SolverOutput c = buildCoefficients(smallShip(), fewFrequencies(2));
-  const PanelMesh mesh = makePanels(c.ship.wetSurface, c.ship.symmetric);
+  const PanelMesh mesh = c.wet().panels();
   for (std::size_t h = 0; h < c.headings.size(); ++h)
     for (std::size_t i = 0; i < c.omega.size(); ++i) {
       const AiryWave wave{c.omega[i], c.headings[h], c.ship.gravity};

@@ -36,17 +36,6 @@ PanelMesh portBoat(bool lid) {
   return panels(wetHalfEllipsoid({10.0, 3.0, 2.0}, 10, 4), true, lid);
 }
 
-PanelMesh wholeBoat(const PanelMesh& port) {
-  PanelMesh whole = port;
-  whole.symmetric = false;
-  for (const Panel& panel : port.panels) {
-    std::vector<Vec3> corners(panel.corner.rend() - panel.corners, panel.corner.rend());
-    for (Vec3& corner : corners) corner.y() *= -1.0;
-    whole.panels.push_back(flatPanel(corners));
-  }
-  return whole;
-}
-
 double largest(const Eigen::MatrixXcd& m) { return m.cwiseAbs().maxCoeff(); }
 
 // In blocks of 16 or not: the panels in another order give the same entries in that order. Form
@@ -83,7 +72,7 @@ TEST(FarWaveIdentity, ParitiesAreSumAndDifferenceOfTheWholeHullsBlocks) {
   for (const InfluenceSettings& settings : {InfluenceSettings{}, sourceSettings()})
     for (const double K : {0.1, 0.8}) {
       const FarSystems half = filled(port, settings, K);
-      const InfluenceSystem<Complex> whole = filled(wholeBoat(port), settings, K)[0];
+      const InfluenceSystem<Complex> whole = filled(bothSides(port), settings, K)[0];
       for (const double odd : {1.0, -1.0}) {
         const InfluenceSystem<Complex>& system = half[odd > 0.0 ? 0 : 1];
         const auto same = [&](const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b) {

@@ -25,10 +25,15 @@ Limits limitsOf(const SurfaceMesh& wet) {
   for (const FrequencyLimit limit : {FrequencyLimit::Zero, FrequencyLimit::Infinite}) {
     const auto system = systemAt(matrices, limit);
     const auto phi = radiationPotentials(system, normals);
-    const bool zero = limit == FrequencyLimit::Zero;
-    (zero ? limits.zero : limits.infinite) = impulseMatrix(phi, normals, 1.0);
-    (zero ? limits.zeroX : limits.infiniteX) =
-        impulseMatrixX(system, phi, normals, derivative, 1.0);
+    const Mat6 mass = impulseMatrix(phi, normals, 1.0);
+    const Mat6 massX = impulseMatrixX(system, phi, normals, derivative, 1.0);
+    if (limit == FrequencyLimit::Zero) {
+      limits.zero = mass;
+      limits.zeroX = massX;
+    } else {
+      limits.infinite = mass;
+      limits.infiniteX = massX;
+    }
   }
   return limits;
 }

@@ -22,18 +22,6 @@ PanelMesh sunkenBox(double depth) {
 
 PanelMesh halfBoat(bool lid) { return panels(wetHalfEllipsoid({10.0, 3.0, 2.0}, 8, 4), true, lid); }
 
-/// The same panels, port and starboard, as a hull without symmetry.
-PanelMesh bothSides(const PanelMesh& port) {
-  PanelMesh whole = port;
-  whole.symmetric = false;
-  for (const Panel& panel : port.panels) {
-    std::vector<Vec3> corners(panel.corner.rend() - panel.corners, panel.corner.rend());
-    for (Vec3& corner : corners) corner.y() *= -1.0;
-    whole.panels.push_back(flatPanel(corners));
-  }
-  return whole;
-}
-
 // Gauss: seen from a panel of a closed surface the others fill half the sphere, −2π (its own part
 // is 0), and the body's image in the surface, which it is outside of, nothing. Exact integrals:
 // round-off of 100 solid angles.

@@ -5,6 +5,7 @@
 #include "hydro/Errors.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/excitation/WaveExcitation.h"
+#include "hydro/geometry/panels/WetSurface.h"
 #include "hydro/response/FrequencyResponse.h"
 #include "tests/excitation/BoxShip.h"
 #include "tests/forces/WaveLoads.h"
@@ -48,7 +49,7 @@ Coefficients movingBox() {
 // F_D by its formula with the signed ω′.
 CVec6 expectedDiffraction(const Coefficients& c, double omegaI, double heading, double speed) {
   const double w = encounterFrequency(omegaI, speed, heading, kBoxGravity);
-  const PanelMesh mesh = makePanels(c.ship.wetSurface, true);
+  const PanelMesh mesh = c.wet().panels();
   const Complex factor = (w * omegaVector(w) + speed * speedVector(w)) / speedVector(0.0);
   return factor *
          diffractionForce(c.adjointX.atZero, mesh, {omegaI, heading, kBoxGravity}, c.ship.cog);

@@ -260,7 +260,12 @@ TEST(RetardationMatrix, DurationLeavesOneThousandthOfTheMemory) {
   EXPECT_LT(duration, kPi / 0.1);
   double kept = 0.0, rest = 0.0;
   for (double tau = 0.005; tau < kPi / 0.1; tau += 0.01) {
-    (tau < duration ? kept : rest) += 0.01 * std::abs(matrix.at(tau)(2, 2));
+    const double part = 0.01 * std::abs(matrix.at(tau)(2, 2));
+    if (tau < duration) {
+      kept += part;
+    } else {
+      rest += part;
+    }
   }
   EXPECT_LT(rest, 1.05e-3 * kept);  // 5 %: the criterion's own quadrature
   EXPECT_GT(rest, 2e-4 * kept);     // and no longer than needed

@@ -7,7 +7,7 @@ import tree
 # Words: (endings of the files, what to do instead).
 WORDS = {
     r"she|hers?|herself": (tree.CODE + tree.SCRIPTS + tree.PROSE, "a ship is \"it\""),
-    r"manieth": (tree.CODE + tree.SCRIPTS + tree.PROSE, "every n-th"),
+    r"manieth|resounds": (tree.CODE + tree.SCRIPTS + tree.PROSE, "every n-th; resonates"),
     r"(?:is|are|was|were|be|being) had|have it": (
         tree.CODE + tree.PROSE, "is obtained, gives, contains"),
     r"of now|none the less": (tree.CODE + tree.PROSE, "present; all the same"),

@@ -13,8 +13,6 @@ namespace cutwater::command {
 
 namespace {
 
-constexpr double kSlow = 0.1;  // [rad/s], see FrequencyResponse
-
 // The option's vector; absent where it is not given.
 std::optional<Vec3> given(const std::string& option, const std::string& text) {
   if (text.empty()) return {};
@@ -50,7 +48,7 @@ void rao(const std::string& database, const WaveOptions& options, const LoadingO
   int slow = 0;
   const auto add = [&](double omega) {
     const double met = encounterFrequency(omega, speed, heading, coefficients.ship.gravity);
-    if (speed != 0.0 && std::abs(met) < kSlow) ++slow;
+    if (speed != 0.0 && std::abs(met) < kLeastEncounterFrequency) ++slow;
     const CVec6 eta = motion(response, omega, heading, speed);
     for (int j = 0; j < 6; ++j) {
       csv.row({omega, met, j + 1.0, std::abs(eta[j]), phaseDegrees(eta[j])});
@@ -65,7 +63,7 @@ void rao(const std::string& database, const WaveOptions& options, const LoadingO
     warn(
         fmt::format("{} of {} waves are met at less than {} rad/s, where surge, sway and yaw are "
                     "not theory",
-                    slow, omegas.size(), kSlow));
+                    slow, omegas.size(), kLeastEncounterFrequency));
   }
   csv.write(out);
 }

@@ -48,10 +48,6 @@ CVec6 motionInBullet(const RunFile& run, const std::shared_ptr<const Hydrodynami
   return amplitude;
 }
 
-/// Below this the theory has no answer in surge, sway and yaw, and a run would have to last for
-/// ever.
-constexpr double kLeastEncounter = 0.1;
-
 void check(const RunFile& run) {
   const auto refuse = [&](const std::string& what) {
     throw HydroError(Fault::ValueOutOfRange, run.path + ": " + what);
@@ -65,9 +61,10 @@ void keepWhatCanBeMet(RunFile& run, const Coefficients& coefficients) {
   std::vector<double> met;
   for (std::size_t i = 0; i < run.omega.size(); ++i) {
     const double omega = run.omega[i], omegaE = encounterOf(run, coefficients, i);
-    if (std::abs(omegaE) < kLeastEncounter) {
+    if (std::abs(omegaE) < kLeastEncounterFrequency) {
       warn(run.path + ": [waves] omega = " + csvNumber(omega) +
-           " is met at omega_e = " + csvNumber(omegaE) + " rad/s, below 0.1: left out");
+           " is met at omega_e = " + csvNumber(omegaE) + " rad/s, below " +
+           csvNumber(kLeastEncounterFrequency) + ": left out");
       continue;
     }
     // The second half of the run must hold two periods and the ramp must be over.
@@ -82,7 +79,8 @@ void keepWhatCanBeMet(RunFile& run, const Coefficients& coefficients) {
   run.omega = met;
   if (!met.empty()) return;
   throw HydroError(Fault::ValueOutOfRange,
-                   run.path + ": [waves] omega: no wave is met at omega_e of 0.1 rad/s or more");
+                   run.path + ": [waves] omega: no wave is met at omega_e of " +
+                       csvNumber(kLeastEncounterFrequency) + " rad/s or more");
 }
 
 // Every wave in a Bullet world of its own, waves shared among threads.

@@ -1,9 +1,7 @@
 #include "demos/cutwater/output/Csv.h"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
@@ -12,11 +10,6 @@
 
 namespace cutwater::command {
 
-std::string csvNumber(double value) {
-  if (std::isnan(value)) return "nan";
-  return fmt::format("{:.9g}", value == 0.0 ? 0.0 : value);  // no "-0"
-}
-
 double phaseDegrees(Complex z) {
   const double degrees = std::arg(z) * 180.0 / kPi;
   return degrees < -180.0 + 5e-7 ? 180.0 : degrees;  // what nine digits would write as -180
@@ -24,11 +17,7 @@ double phaseDegrees(Complex z) {
 
 void Csv::row(const std::vector<double>& values, const std::string& prefix) {
   text_ += prefix;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (i > 0) text_ += ',';
-    text_ += csvNumber(values[i]);
-  }
-  text_ += '\n';
+  addCsvRow(text_, values);
 }
 
 void writeText(const std::string& text, const std::string& path) {

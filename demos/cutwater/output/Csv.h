@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "hydro/Conventions.h"
+#include "hydro/base/CsvRow.h"
 
 namespace cutwater::command {
 
@@ -31,8 +32,6 @@ class Csv {
   std::string text_;
 };
 
-/// A number as all our CSV files write it: 9 significant digits, `inf`, `nan`.
-std::string csvNumber(double value);
 /// arg z in degrees, in (-180, 180] as csvNumber writes it.
 double phaseDegrees(Complex z);
 

@@ -179,8 +179,11 @@ std::vector<SectionCurve> SectionCutter::curvesAt(double c, Side side) const {
       for (int e = 0; e < 3; ++e) {
         const int next = (e + 1) % 3;
         if (above[e] == above[next]) continue;
-        auto& end = above[next] ? segment.from : segment.to;
-        end = crossedEdge(v[e], v[next]);
+        if (above[next]) {
+          segment.from = crossedEdge(v[e], v[next]);
+        } else {
+          segment.to = crossedEdge(v[e], v[next]);
+        }
       }
       segments.push_back(segment);
     }

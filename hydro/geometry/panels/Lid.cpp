@@ -66,9 +66,11 @@ std::vector<double> LidBuilder::stations(const Outline& o, double closest) const
   }
   std::vector<double> must, may, taken;
   for (std::size_t i = 0; i < o.vertices.size(); ++i) {
-    const bool goesOn = toLow[i] == 1 && toHigh[i] == 1;
-    std::vector<double>& list = goesOn ? may : must;
-    list.push_back(o.vertices[i].x());
+    if (toLow[i] == 1 && toHigh[i] == 1) {
+      may.push_back(o.vertices[i].x());
+    } else {
+      must.push_back(o.vertices[i].x());
+    }
   }
   std::sort(must.begin(), must.end());
   std::sort(may.begin(), may.end());

@@ -7,6 +7,8 @@
 namespace cutwater {
 
 /// A hull made of a mesh that was not drawn for hydrodynamics, and what had to be done to it.
+///     const RepairedHull ship = repairedHull(readSurface("yacht.glb"), "yacht", Symmetry::Auto);
+///     for (const std::string& line : ship.done) std::puts(line.c_str());
 struct RepairedHull {
   Hull hull;
   std::vector<std::string> done;  ///< one line each, for people; empty if nothing was wrong
