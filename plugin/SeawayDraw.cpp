@@ -5,7 +5,6 @@
 #include "hydro/database/Coefficients.h"
 #include "plugin/Seaway.h"
 #include "plugin/ShipAxes.h"
-#include "plugin/ShipPart.h"
 
 CUTWATER_PLUGIN_BEGIN
 
@@ -17,21 +16,24 @@ constexpr double kForceScale = 0.01;  // of its weight: 1 m of arrow
 
 // One colour after the other in the order of the parts, so that a part has the same colour on all
 // ships.
-const btVector3 kColours[] = {btVector3(0.2f, 0.4f, 1), btVector3(0, 1, 1),    btVector3(0, 1, 0),
-                              btVector3(1, 1, 0),       btVector3(1, 0.5f, 0), btVector3(1, 0, 1),
-                              btVector3(1, 0, 0),       btVector3(1, 1, 1)};
+const btVector3 kColours[] = {btVector3(1, 1, 1), btVector3(0.2f, 0.4f, 1), btVector3(0, 1, 1),
+                              btVector3(0, 1, 0), btVector3(1, 1, 0),       btVector3(1, 0.5f, 0),
+                              btVector3(1, 0, 1), btVector3(1, 0, 0)};
 
-// Gravity is drawn with what carries it, the part after it: what is left of both.
+// Gravity is drawn with the part that carries it: what is left of both. Without one, by itself.
 void drawForces(btIDebugDraw& drawer, const Ship& ship, const WorldFrame& frame) {
   const ShipParticulars& p = ship.coefficients().ship;
   const double scale = 1.0 / (kForceScale * p.mass * p.gravity);
   const Mat3 course = rotationZ(ship.course().heading());
   const std::vector<Vec6>& loads = ship.lastTick().loads;
-  for (std::size_t i = kGravityPart + 1; i < loads.size(); ++i) {
+  const std::vector<std::string_view> parts = ship.parts();
+  const std::size_t carrier = ship.weightCarrier();
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    if (parts[i] == "gravity" && carrier < parts.size()) continue;
     Vec3 force = loads[i].head<3>();
-    if (i == kGravityPart + 1) force += loads[kGravityPart].head<3>();
+    if (i == carrier) force += ship.load("gravity").head<3>();
     const Vec3 tip = ship.position() + scale * (course * force);
-    const btVector3& colour = kColours[(i - 1) % std::size(kColours)];
+    const btVector3& colour = kColours[i % std::size(kColours)];
     if (tip.allFinite()) drawer.drawLine(frame.place(ship.position()), frame.place(tip), colour);
   }
 }

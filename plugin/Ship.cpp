@@ -200,7 +200,7 @@ Vec6 Ship::inCourseAxes(const Wrench& wrench, const Mat3& heading) const noexcep
 // A load that is not finite is left out; with what carries the ship its weight is left out as well.
 std::uint32_t Ship::evaluate(const Mat3& heading) noexcept {
   std::uint32_t faults = kStepOk;
-  Vec6& gravity = record_.loads[kGravityPart];
+  Vec6& gravity = record_.loads[gravityPart_];
   gravity.setZero();
   gravity.head<3>() = input_.weight;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -219,11 +219,14 @@ std::uint32_t Ship::evaluate(const Mat3& heading) noexcept {
 }
 
 Vec6 Ship::sumOfLoads() const noexcept {
-  Vec6 water = record_.loads[kGravityPart], added = Vec6::Zero();
-  for (std::size_t i = kGravityPart + 1; i < parts_.size(); ++i) {
-    if (i == kAddedMassPart) continue;
-    Vec6& sum = parts_[i].potentialFlow ? water : added;
-    sum += record_.loads[i];
+  Vec6 water = record_.loads[gravityPart_], added = Vec6::Zero();
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (i == gravityPart_ || i == addedMassPart_) continue;
+    if (parts_[i].potentialFlow) {
+      water += record_.loads[i];
+    } else {
+      added += record_.loads[i];
+    }
   }
   return water + added;
 }
@@ -314,7 +317,7 @@ void Ship::endTick(btScalar step) noexcept {
   force << frame_.forceToEarth(toBullet(addedMass_->force())),
       frame_.momentToEarth(toBullet(addedMass_->moment()));
   const double heading = attitude().z();
-  record_.loads[kAddedMassPart] = rotated(toCourse(), rotationZ(-heading), force);
+  record_.loads[addedMassPart_] = rotated(toCourse(), rotationZ(-heading), force);
   headingAtSolve_ = course_.heading();
   lastStep_ = static_cast<double>(step);
   const Vec3 at = position();

@@ -133,6 +133,8 @@ class Ship {
   std::vector<std::string_view> parts() const;
   /// Hash of these names: another number when a part has come or gone.
   std::uint64_t partsKey() const noexcept { return partsKey_; }
+  /// Index of the part that holds the ship up against its weight; parts().size() if none is on.
+  std::size_t weightCarrier() const noexcept;
   /// Load of one part in the last tick (TickRecord::loads).
   /// @throws HydroError BadArgument, naming the parts there are.
   const Vec6& load(std::string_view part) const;
@@ -247,8 +249,9 @@ class Ship {
   double headingAtSolve_ = 0.0;  // ψ̄ of the last solve
 
   std::vector<ShipPart> parts_;
-  Autopilots* autopilots_ = nullptr;  // one of the parts
-  double preparedFor_ = 0.0;          // length of tick the parts were made for; 0: none
+  std::size_t gravityPart_ = kNone, addedMassPart_ = kNone;  // Bullet's own: their places in parts_
+  Autopilots* autopilots_ = nullptr;                         // one of the parts
+  double preparedFor_ = 0.0;  // length of tick the parts were made for; 0: none
   std::uint64_t partsKey_ = 0;
   bool measuring_ = false;
   double growsAhead_ = 0.0,

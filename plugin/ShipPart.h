@@ -23,7 +23,4 @@ struct ShipPart {
   bool active() const noexcept { return on && !replaced; }
 };
 
-/// Places of Bullet's own parts in the list.
-inline constexpr std::size_t kGravityPart = 0, kAddedMassPart = 5;
-
 CUTWATER_PLUGIN_END

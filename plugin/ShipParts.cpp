@@ -29,7 +29,6 @@ bool isName(std::string_view name) {
 
 }  // namespace
 
-// Bullet's own parts have fixed places (ShipPart.h).
 void Ship::makeParts(const ShipSettings& settings) {
   const Coefficients& c = coefficients();
   const bool follows = course_.follows();
@@ -66,9 +65,12 @@ void Ship::addPart(ShipPart part) {
 void Ship::partsChanged() {
   record_.loads.resize(parts_.size(), Vec6::Zero());
   Fnv1a key;
-  for (ShipPart& part : parts_) {
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    ShipPart& part = parts_[i];
     key.add(part.name.c_str(), part.name.size() + 1);
     part.replaced = false;
+    if (part.name == "gravity") gravityPart_ = i;
+    if (part.name == "added_mass") addedMassPart_ = i;
   }
   partsKey_ = key.value();
   for (const ShipPart& part : parts_) {
@@ -92,6 +94,14 @@ std::vector<std::string_view> Ship::parts() const {
   std::vector<std::string_view> names;
   for (const ShipPart& part : parts_) names.emplace_back(part.name);
   return names;
+}
+
+std::size_t Ship::weightCarrier() const noexcept {
+  const auto carries = [](const ShipPart& part) {
+    return part.active() && part.force && part.force->carriesWeight();
+  };
+  const auto found = std::find_if(parts_.begin(), parts_.end(), carries);
+  return static_cast<std::size_t>(found - parts_.begin());
 }
 
 const Vec6& Ship::load(std::string_view part) const { return record_.loads[indexOf(part)]; }
@@ -126,13 +136,13 @@ std::unique_ptr<ForceGenerator> Ship::removeForce(std::string_view part) {
 
 void Ship::setEnabled(std::string_view name, bool on) {
   const std::size_t i = indexOf(name);
-  if (i == kGravityPart) refuse("gravity is Bullet's own part; set the world's");
+  if (i == gravityPart_) refuse("gravity is Bullet's own part; set the world's");
   ShipPart& part = parts_[i];
   if (part.on == on) return;
   part.on = on;
   record_.loads[i].setZero();
   if (on && part.force) part.force->reset();
-  if (i == kAddedMassPart) addedMass_->setActive(on);
+  if (i == addedMassPart_) addedMass_->setActive(on);
   partsChanged();
 }
 

@@ -68,23 +68,16 @@ Vec6 Ship::momentum() const noexcept {
   const Mat3 upright = headingAxes(), body = bodyAxes();
   const Vec6 own = velocity();
   const Vec6 inertia = coefficients().ship.massMatrix() * own;
-  Vec6 water;
-  water << upright.transpose() * (body * own.head<3>()),
-      upright.transpose() * (body * own.tail<3>());
-  water = (coefficients().addedMass.atInfinity * water).eval();
-  Vec6 sum;
-  sum << body * inertia.head<3>() + upright * water.head<3>(),
-      body * inertia.tail<3>() + upright * water.tail<3>();
-  return sum;
+  const Mat3 toUpright = upright.transpose();
+  const Vec6 water =
+      coefficients().addedMass.atInfinity * rotated(toUpright, toUpright, rotated(body, body, own));
+  return rotated(body, body, inertia) + rotated(upright, upright, water);
 }
 
 double Ship::energy() const noexcept {
-  const Mat3 body = bodyAxes(), course = toCourse();
-  const Vec6 own = velocity();
-  Vec6 velocity, motion = this->motion();
-  velocity << body * own.head<3>(), body * own.tail<3>();
-  motion.head<3>() -= 0.5 * lastStep_ * course * velocity.head<3>();
-  motion.tail<3>() -= 0.5 * lastStep_ * course * velocity.tail<3>();
+  const Mat3 body = bodyAxes(), halfStep = 0.5 * lastStep_ * toCourse();
+  const Vec6 velocity = rotated(body, body, this->velocity());
+  const Vec6 motion = this->motion() - rotated(halfStep, halfStep, velocity);
   return 0.5 * velocity.dot(momentum()) + 0.5 * motion.dot(coefficients().ship.restoring * motion);
 }
 
@@ -203,7 +196,7 @@ void Ship::restoreParts(const Snapshot& s) {
     const bool on = s.enabled[i] != 0;
     changed = changed || part.on != on;
     part.on = on;
-    if (i == kAddedMassPart) addedMass_->setActive(on);
+    if (i == addedMassPart_) addedMass_->setActive(on);
     if (!part.force) continue;
     if (s.sizes[i] > 0) {
       part.force->restore({from, s.sizes[i]});

@@ -9,6 +9,7 @@
 #include "hydro/base/EnumNames.h"
 #include "hydro/bem/reference/DiffractionSweep.h"
 #include "hydro/excitation/WaveExcitation.h"
+#include "hydro/geometry/panels/WetSurface.h"
 #include "hydro/response/FrequencyResponse.h"
 
 namespace cutwater::report {
@@ -55,7 +56,7 @@ std::vector<Means> fourMeans(const Job& job) {
   bare.adjointX = {};
 
   settings.omega = grid();
-  const InfluenceMatrices matrices(makePanels(ship.wetSurface, ship.symmetric));
+  const InfluenceMatrices matrices(WetSurface(ship.wetSurface, ship.symmetric).panels());
   const ModeNormals normals(matrices.mesh(), ship.cog);
   const XDerivative stokes(ship.wetSurface, matrices.mesh());
   const OneBlasThread oneThread;
@@ -82,8 +83,9 @@ Curve curve(const Means& means, double heading, const std::vector<double>& waveO
   for (const double omega : waveOmega) {
     const double omegaE = std::abs(encounterFrequency(omega, kSpeed, heading, c.ship.gravity));
     result.force.push_back(excitation.at(omega, heading, kSpeed).total());
-    result.motion.push_back(omegaE < kLowestEncounter ? CVec6::Zero().eval()
-                                                      : response.at(omega, heading, kSpeed));
+    result.motion.push_back(omegaE < kLeastEncounterFrequency
+                                ? CVec6::Zero().eval()
+                                : response.at(omega, heading, kSpeed));
   }
   return result;
 }
@@ -125,7 +127,7 @@ void writePair(const Job& job, int figure, double heading, const std::vector<Mea
       motionRow.insert(motionRow.end(), motion.begin(), motion.end());
     }
     forceCsv.row(forceRow);
-    if (std::abs(omegaE) >= kLowestEncounter) motionCsv.row(motionRow);
+    if (std::abs(omegaE) >= kLeastEncounterFrequency) motionCsv.row(motionRow);
   }
   forceCsv.write(job.file(fmt::format("figure{}.csv", figure)));
   motionCsv.write(job.file(fmt::format("figure{}.csv", figure + 2)));

@@ -14,7 +14,6 @@ constexpr double kLength = 124.5;           ///< L between perpendiculars [m]
 constexpr double kKnot = 1852.0 / 3600.0;   ///< [m/s]
 constexpr double kSpeed = 20.0 * kKnot;     ///< U of all figures [m/s]
 constexpr double kDegree = kPi / 180.0;     ///< [rad]
-constexpr double kLowestEncounter = 0.1;    ///< ω_e [rad/s]; below it the theory has no motions
 inline const std::vector<double> kHeadings  ///< β of Table 4 [rad]
     {30.0 * kDegree, 150.0 * kDegree, 165.0 * kDegree, 180.0 * kDegree};
 

@@ -33,10 +33,11 @@ class Hydrodynamics {
   double length() const noexcept { return length_; }  ///< of the hull, or of its panels [m]
   double keel() const noexcept { return keel_; }      ///< lowest point, hull axes [m]
 
-  /// Retardation functions and their fit, made once.  @throws HydroError as RadiationModel.
+  /// Internal: retardation functions and their fit, made once.
+  /// @throws HydroError as RadiationModel.
   std::shared_ptr<const RadiationModel> radiation() const;
-  /// Speeds at which the ship's own motions grow, in this form and with its own supplementary terms.
-  /// Found once, in some hundredths of a second.  @throws HydroError as radiation().
+  /// Speeds at which the ship's own motions grow, in this form and with its own supplementary
+  /// terms. Found once, in some hundredths of a second.  @throws HydroError as radiation().
   const SpeedStability& stability() const;
 
  private:

@@ -64,6 +64,22 @@ class Float final : public ForceGenerator {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
+// Keeps the arrows that begin in a ship's centre of gravity.
+struct Arrows final : btIDebugDraw {
+  explicit Arrows(const Ship& ship) : middle(toBullet(ship.position())) {}
+  void drawLine(const btVector3& from, const btVector3& to, const btVector3&) override {
+    if (from == middle) arrows.push_back(fromBullet(to - from));
+  }
+  void drawContactPoint(const btVector3&, const btVector3&, btScalar, int,
+                        const btVector3&) override {}
+  void reportErrorWarning(const char*) override {}
+  void draw3dText(const btVector3&, const char*) override {}
+  void setDebugMode(int) override {}
+  int getDebugMode() const override { return DBG_DrawWireframe; }
+  btVector3 middle;
+  std::vector<Vec3> arrows;
+};
+
 TEST(Parts, AreListedInTheOrderOfTheColumns) {
   Scene scene;
   const std::vector<std::string_view> expected{"gravity",       "restoring", "froude_krylov",
@@ -72,6 +88,34 @@ TEST(Parts, AreListedInTheOrderOfTheColumns) {
   EXPECT_EQ(scene.sphere->parts(), expected);
   scene.sphere->addForce(std::make_unique<Growing>());
   EXPECT_EQ(scene.sphere->parts().back(), "growing");
+}
+
+// The weight would be an arrow of 100 m. With the part that carries it, restoring or another in
+// restoring's place, only what is left of both is drawn; without any the weight is.
+TEST(Parts, GravityIsDrawnWithThePartThatCarriesTheShip) {
+  for (const bool replaced : {false, true}) {
+    Scene scene({.start = {.offset = one(Heave, 0.1)}});
+    if (replaced) scene.sphere->addForce(std::make_unique<Float>());
+    scene.run(1);
+    Arrows pen(*scene.sphere);
+    scene.seaway.debugDraw(pen);
+    const std::size_t carrier = scene.sphere->weightCarrier();
+    ASSERT_EQ(scene.sphere->parts()[carrier], replaced ? "float" : "restoring");
+    ASSERT_EQ(pen.arrows.size(), scene.sphere->parts().size() - 1);
+    const ShipParticulars& ship = scene.sphere->coefficients().ship;
+    const std::vector<Vec6>& loads = scene.sphere->lastTick().loads;
+    const Vec3 left = (loads[0] + loads[carrier]).head<3>() * (100.0 / (ship.mass * ship.gravity));
+    // Ends of an arrow are rounded to those of a place of some metres.
+    EXPECT_LT((pen.arrows[carrier - 1] - left).norm(), 20 * kEpsilon);
+    for (const Vec3& arrow : pen.arrows) EXPECT_LT(arrow.norm(), 10.0);
+  }
+  Scene falls({.model = {.without = {"restoring"}}});
+  falls.run(1);
+  Arrows pen(*falls.sphere);
+  falls.seaway.debugDraw(pen);
+  EXPECT_EQ(falls.sphere->weightCarrier(), falls.sphere->parts().size());
+  ASSERT_EQ(pen.arrows.size(), falls.sphere->parts().size());
+  EXPECT_NEAR(pen.arrows[0].z(), -100.0, 1e-3);  // g of a world in single precision, 1e-7 of it
 }
 
 // The same pull as Bullet's own applyCentralForce gives, which goes through the same solver; single
