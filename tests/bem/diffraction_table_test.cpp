@@ -16,13 +16,13 @@ struct SmallSweep {
   ModeNormals normals;
   XDerivative stokes;
   SolveSettings settings;
-  settings.forwardSpeed = ForwardSpeedForm::Report;
 
   explicit SmallSweep(Influence influence)
       : ship(particulars()),
         matrices(panels(ship.wetSurface, true, true)),
         normals(matrices.mesh(), ship.cog),
         stokes(ship.wetSurface, matrices.mesh()) {
+    settings.forwardSpeed = ForwardSpeedForm::Report;
     settings.influence = influence;
     settings.speeds = {0.0, 3.0};
     settings.headings = {0.4, 2.5};
