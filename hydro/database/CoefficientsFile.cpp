@@ -1,14 +1,12 @@
 #include "hydro/database/CoefficientsFile.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
 
 #include "hydro/Errors.h"
+#include "hydro/base/AtomicFile.h"
 #include "hydro/base/Fnv1a.h"
 #include "hydro/database/BemioLayout.h"
 #include "hydro/database/CutwaterGroup.h"
@@ -41,14 +39,10 @@ std::string hashOfBytes(std::ifstream& file, std::streamoff length) {
   return hash.digits();
 }
 
-void seal(const std::string& path, const std::string& label) {
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  const std::string hash = hashOfBytes(file, file.tellg());
-  std::ofstream out(path, std::ios::binary | std::ios::app);
-  out << kSeal << hash << std::flush;
-  if (hash.empty() || !out) {
-    throw HydroError(Fault::FileNotWritable, label + ": writing its seal failed (disk full?)");
-  }
+std::string sealOf(std::string_view bytes) {
+  Fnv1a hash;
+  hash.add(bytes.data(), bytes.size());
+  return std::string(kSeal) + hash.digits();
 }
 
 /// A file without a seal passes: another code's, or one that another program wrote to.
@@ -62,32 +56,6 @@ void checkSeal(const std::string& path) {
     throw HydroError(Fault::FileMalformed, path + ": damaged since it was written (seal broken)");
   }
 }
-
-/// A name beside the final one; the file is removed unless it was moved there.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::string& path)
-      : final_(path), name_(fmt::format("{}.{}.tmp", path, ::getpid())) {}
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    if (!moved_) std::remove(name_.c_str());
-  }
-  const std::string& name() const noexcept { return name_; }
-  void moveIntoPlace() {
-    const int file = ::open(name_.c_str(), O_RDONLY | O_CLOEXEC);
-    const bool synced = file >= 0 && ::fsync(file) == 0;
-    if (file >= 0) ::close(file);
-    if (!synced || std::rename(name_.c_str(), final_.c_str()) != 0) {
-      throw HydroError(Fault::FileNotWritable, final_ + ": cannot be put in place");
-    }
-    moved_ = true;
-  }
-
- private:
-  std::string final_, name_;
-  bool moved_ = false;
-};
 
 Coefficients readOwn(const hdf5::Reader& reader) {
   const std::int64_t version = reader.attributeInteger(kGroup, kVersion);
@@ -125,15 +93,14 @@ std::string joinedWarning(const std::string& path, const Coefficients& c,
 void writeCoefficients(const Coefficients& coefficients, const std::string& path,
                        const ImpulseResponse& retardation) {
   checkCoefficients(coefficients, "writeCoefficients");
-  TemporaryFile temporary(path);
-  hdf5::Writer writer(temporary.name(), path);
+  hdf5::Writer writer(path);
   writeBemio(writer, coefficients, retardation);
   writeCutwaterGroup(writer, coefficients);
   writer.attribute(kGroup, kVersion, kFormatVersion);
   writer.attribute(kGroup, kChecksum, hdf5::contentHash(writer.file()));
-  writer.close();
-  seal(temporary.name(), path);
-  temporary.moveIntoPlace();
+  std::string bytes = writer.bytes();
+  bytes += sealOf(bytes);
+  writeWhole(path, bytes);
 }
 
 Coefficients readCoefficients(const std::string& path, std::string* warning) {

@@ -13,9 +13,9 @@ namespace cutwater {
 /// checksum over every dataset. Behind the end of the HDF5 file stands a seal of 24 bytes, a
 /// checksum of the whole file; HDF5 programs do not see it.
 ///
-/// The file is written under a temporary name in the same folder, synced and renamed: at any
-/// instant `path` holds the old file or the new one, whole. On failure nothing is left behind. One
-/// thread at a time, as everything that uses HDF5.
+/// The file is made in memory, written under a temporary name in the same folder, synced and
+/// renamed: at any instant `path` holds the old file or the new one, whole. On failure nothing is
+/// left behind. One thread at a time, as everything that uses HDF5.
 /// @param retardation K for the readers of BEMIO; Cutwater itself does not read it. Empty: left
 ///        out, and programs that need K (HydroChrono) refuse the file. Unfinished coefficients are
 ///        written without any impulse response.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Reading and writing datasets of HDF5 files. Every failure is a HydroError whose message begins
@@ -53,12 +54,32 @@ struct Array {
   std::vector<double> data;
 };
 
-/// A new file. Groups on the way to a dataset are made as needed.
+/// The memory that a file under way lies in; HDF5 calls the functions. H5Fget_file_image would be
+/// simpler, but what HDF5 1.10 gives has a superblock whose checksum is wrong.
+class FileImage {
+ public:
+  FileImage() = default;
+  FileImage(const FileImage&) = delete;
+  FileImage& operator=(const FileImage&) = delete;
+  ~FileImage();
+  /// Makes files of `access` lie here. @return false if HDF5 refuses.
+  bool receive(hid_t access);
+  /// Of a file that is closed; empty if there is none.
+  std::string_view bytes() const noexcept;
+
+ private:
+  static void* resize(void* memory, std::size_t size, H5FD_file_image_op_t op, void* self);
+  static herr_t keep(void* memory, H5FD_file_image_op_t op, void* self);
+  void* memory_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+/// A new file, in memory. Groups on the way to a dataset are made as needed.
 class Writer {
  public:
   /// @param label  names the file in messages.
   /// @throws HydroError FileNotWritable, also from every member.
-  Writer(const std::string& path, const std::string& label);
+  explicit Writer(const std::string& label);
   /// Contiguous little-endian float64.
   void numbers(const std::string& name, const Shape& shape, std::span<const double> data,
                const char* description = nullptr, const char* units = nullptr);
@@ -67,13 +88,15 @@ class Writer {
   void attribute(const std::string& group, const char* name, const std::string& value);
   void attribute(const std::string& group, const char* name, std::int64_t value);
   hid_t file() const noexcept { return file_.get(); }
-  void close();
+  /// Closes it. @return its bytes, as they are to stand in a file.
+  std::string bytes();
 
  private:
   void check(bool ok, const std::string& name) const;
 
   std::string label_;
   Quiet quiet_;
+  FileImage image_;
   Handle file_, intermediate_;
 };
 

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <cstring>
+#include <utility>
 
 #include "hydro/Errors.h"
 #include "hydro/database/Hdf5.h"
@@ -9,10 +11,12 @@ namespace cutwater::hdf5 {
 
 namespace {
 
-/// File format of HDF5 1.8: its metadata carry their own checksums, and every reader of today has
-/// it.
-Handle accessOf18() {
+/// In memory, growing by megabytes. File format of HDF5 1.8: its metadata carry their own
+/// checksums, and every reader of today has it.
+Handle accessOf18(FileImage& image) {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fapl_core(access.get(), std::size_t{1} << 22, 0);
+  image.receive(access.get());
   H5Pset_libver_bounds(access.get(), H5F_LIBVER_V18, H5F_LIBVER_V18);
   return access;
 }
@@ -34,13 +38,13 @@ bool writeTextAttribute(hid_t object, const char* name, const char* value) {
 
 }  // namespace
 
-Writer::Writer(const std::string& path, const std::string& label)
+Writer::Writer(const std::string& label)
     : label_(label),
-      file_(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, accessOf18().get()), H5Fclose),
+      file_(H5Fcreate(label.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, accessOf18(image_).get()),
+            H5Fclose),
       intermediate_(H5Pcreate(H5P_LINK_CREATE), H5Pclose) {
   if (!file_.valid()) {
-    throw HydroError(Fault::FileNotWritable,
-                     label + ": cannot be created (is there such a folder, may we write in it?)");
+    throw HydroError(Fault::FileNotWritable, label + ": cannot be made: not enough memory?");
   }
   H5Pset_create_intermediate_group(intermediate_.get(), 1);
 }
@@ -48,7 +52,7 @@ Writer::Writer(const std::string& path, const std::string& label)
 void Writer::check(bool ok, const std::string& name) const {
   if (!ok) {
     throw HydroError(Fault::FileNotWritable,
-                     fmt::format("{}: writing {} failed (disk full?)", label_, name));
+                     fmt::format("{}: cannot be made: {}: not enough memory?", label_, name));
   }
 }
 
@@ -93,8 +97,56 @@ void Writer::attribute(const std::string& group, const char* name, std::int64_t 
   check(attribute.valid() && H5Awrite(attribute.get(), H5T_NATIVE_INT64, &value) >= 0, group);
 }
 
-void Writer::close() {
+std::string Writer::bytes() {
   check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL) >= 0 && file_.close(), "the end of the file");
+  const std::string_view image = image_.bytes();
+  check(!image.empty(), "the end of the file");
+  return std::string(image);
+}
+
+// The memory ends at some whole number of megabytes, the file where its superblock says. That has
+// version 2 (accessOf18): the signature, the version at byte 8, the end of the file at byte 28.
+std::string_view FileImage::bytes() const noexcept {
+  constexpr std::size_t kVersionAt = 8, kEndAt = 28, kHead = 48;
+  const auto* at = static_cast<const unsigned char*>(memory_);
+  if (at == nullptr || size_ < kHead || at[kVersionAt] != 2) return {};
+  std::size_t end = 0;
+  for (std::size_t i = 8; i-- > 0;) end = end << 8 | at[kEndAt + i];
+  if (end > size_) return {};
+  return {static_cast<const char*>(memory_), end};
+}
+
+// HDF5 would copy the functions' argument for each of its own copies of `access`; it is the same
+// object for all of them.
+bool FileImage::receive(hid_t access) {
+  H5FD_file_image_callbacks_t callbacks{};
+  callbacks.image_malloc = [](std::size_t size, H5FD_file_image_op_t, void*) {
+    return std::malloc(size);
+  };
+  callbacks.image_memcpy = [](void* to, const void* from, std::size_t size, H5FD_file_image_op_t,
+                              void*) { return std::memcpy(to, from, size); };
+  callbacks.image_realloc = resize;
+  callbacks.image_free = keep;
+  callbacks.udata_copy = [](void* self) { return self; };
+  callbacks.udata_free = [](void*) -> herr_t { return 0; };
+  callbacks.udata = this;
+  return H5Pset_file_image_callbacks(access, &callbacks) >= 0;
+}
+
+FileImage::~FileImage() { std::free(memory_); }
+
+void* FileImage::resize(void* memory, std::size_t size, H5FD_file_image_op_t, void* self) {
+  static_cast<FileImage*>(self)->size_ = size;
+  return std::realloc(memory, size);
+}
+
+/// The memory of a file that is closed is ours from then on.
+herr_t FileImage::keep(void* memory, H5FD_file_image_op_t op, void* self) {
+  if (op == H5FD_FILE_IMAGE_OP_FILE_CLOSE) {
+    std::swap(static_cast<FileImage*>(self)->memory_, memory);
+  }
+  std::free(memory);
+  return 0;
 }
 
 }  // namespace cutwater::hdf5
