@@ -1,11 +1,15 @@
 #include "hydro/database/SweepJournal.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 #include "hydro/Errors.h"
 #include "hydro/base/Fnv1a.h"
@@ -38,6 +42,24 @@ std::size_t readSome(int file, void* to, std::size_t bytes) {
 
 bool readAll(int file, void* to, std::size_t bytes) { return readSome(file, to, bytes) == bytes; }
 
+/// Key of the journal at `path`; 0 if there is none, or not yet its whole head.
+std::uint64_t keyOf(const std::string& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+  if (file < 0) return 0;
+  Header header;
+  const Header wanted;
+  const bool whole = readAll(file, &header, sizeof header) &&
+                     std::memcmp(header.magic, wanted.magic, sizeof header.magic) == 0;
+  ::close(file);
+  return whole ? header.key : 0;
+}
+
+std::string asidePath(const std::string& path, std::uint64_t key) {
+  char digits[18];
+  std::snprintf(digits, sizeof digits, ".%016llx", static_cast<unsigned long long>(key));
+  return path + digits;
+}
+
 bool writeAll(int file, const void* from, std::size_t bytes) {
   const auto* at = static_cast<const char*>(from);
   while (bytes > 0) {
@@ -52,8 +74,9 @@ bool writeAll(int file, const void* from, std::size_t bytes) {
 }  // namespace
 
 SweepJournal::SweepJournal(const std::string& path, std::uint64_t key, std::size_t size)
-    : path_(path), size_(size), file_(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-  if (file_ < 0) refuse(std::strerror(errno));
+    : path_(path), size_(size) {
+  makeWayFor(key);
+  open();
   try {
     load(key);
   } catch (...) {
@@ -66,6 +89,36 @@ SweepJournal::~SweepJournal() { ::close(file_); }
 
 void SweepJournal::refuse(const char* why) const {
   throw HydroError(Fault::FileNotWritable, path_ + ": cannot be written: " + why);
+}
+
+/// A link is not followed and a pipe not waited for: its name can be foreseen by anybody.
+void SweepJournal::open() {
+  file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+  if (file_ < 0) refuse(errno == ELOOP ? "it is a link" : std::strerror(errno));
+  struct stat there {};
+  const char* why = nullptr;
+  if (::fstat(file_, &there) != 0 || !S_ISREG(there.st_mode)) why = "not a file";
+  if (why == nullptr && ::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    why = "another program is solving into it";
+  if (why == nullptr) return;
+  ::close(file_);
+  refuse(why);
+}
+
+/// Whole journals of other keys step aside; one of this key that did so before comes back.
+void SweepJournal::makeWayFor(std::uint64_t key) {
+  const std::uint64_t other = keyOf(path_);
+  if (other == key) return;
+  if (other != 0) {
+    open();  // nobody is at work on it
+    ::close(file_);
+    if (std::rename(path_.c_str(), asidePath(path_, other).c_str()) != 0)
+      refuse(std::strerror(errno));
+  }
+  const std::string before = asidePath(path_, key);
+  std::error_code none;
+  if (!std::filesystem::exists(path_, none) && keyOf(before) == key)
+    std::filesystem::rename(before, path_, none);
 }
 
 /// Reads whole records and leaves the file at their end, what follows cut off.

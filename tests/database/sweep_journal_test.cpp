@@ -68,10 +68,36 @@ TEST_F(SweepJournalFile, AChangedByteLosesItsRecordOnly) {
   EXPECT_TRUE(again.found().contains(4));
 }
 
-TEST_F(SweepJournalFile, AnotherShipOrSettingBeginsAnew) {
+// Nothing is thrown away: each ship and setting finds its own frequencies again.
+TEST_F(SweepJournalFile, AnotherShipOrSettingBeginsAnewAndKeepsTheOld) {
   fill();
-  EXPECT_TRUE(SweepJournal(path, 8, 3).found().empty());
-  EXPECT_TRUE(SweepJournal(path, 7, 3).found().empty());  // gone for good
+  const std::string aside = path + ".0000000000000007";
+  {
+    SweepJournal other(path, 8, 3);
+    EXPECT_TRUE(other.found().empty());
+    EXPECT_TRUE(fs::exists(aside));
+    other.append(1, numbers(1.0));
+  }
+  EXPECT_EQ(SweepJournal(path, 7, 3).found().size(), 2u);
+  EXPECT_FALSE(fs::exists(aside));
+  EXPECT_EQ(SweepJournal(path, 8, 3).found().size(), 1u);
+  fs::remove(aside);
+}
+
+TEST_F(SweepJournalFile, OneProgramAtATimeAndNoLinks) {
+  {
+    const SweepJournal first(path, 7, 3);
+    EXPECT_THROW(SweepJournal(path, 7, 3), HydroError);
+    EXPECT_THROW(SweepJournal(path, 8, 3), HydroError);  // and it does not move it away
+  }
+  EXPECT_NO_THROW(SweepJournal(path, 7, 3));
+  const std::string notes = path + ".notes";
+  fs::remove(path);
+  std::ofstream(notes) << "";
+  fs::create_symlink(notes, path);
+  EXPECT_THROW(SweepJournal(path, 7, 3), HydroError);
+  EXPECT_EQ(fs::file_size(notes), 0u);
+  fs::remove(notes);
 }
 
 TEST_F(SweepJournalFile, LeavesOtherFilesAlone) {
