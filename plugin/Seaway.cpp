@@ -7,6 +7,7 @@
 #include "hydro/Errors.h"
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/forces/SeaTables.h"
+#include "plugin/SettingsCheck.h"
 #include "plugin/ThreadPool.h"
 #include "plugin/WorldHook.h"
 
@@ -85,6 +86,11 @@ Ship& Seaway::add(std::shared_ptr<const Hydrodynamics> hydrodynamics, const Ship
                   btRigidBody* own) {
   if (!hydrodynamics) {
     throw HydroError(Fault::BadArgument, "Seaway::addShip: no hydrodynamics (null pointer)");
+  }
+  checkSettings(settings, "Seaway::addShip");
+  for (const auto& ship : ships_) {
+    if (own != &ship->body()) continue;
+    throw HydroError(Fault::BadArgument, "Seaway::addShip: the body is a ship of this sea already");
   }
   checkGravity(world_.getGravity(), frame_);
   ships_.reserve(ships_.size() + 1);

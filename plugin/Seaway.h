@@ -51,10 +51,11 @@ class Seaway final {
   /// A new ship at its mean course. Ships that are given the same Hydrodynamics share it; another
   /// mass distribution on the same waterline is withLoading(coefficients, …) of
   /// database/ChangeOfLoading.h.
-  /// @throws HydroError ValueOutOfRange: gravity not along −z or zero, mass or gyradii not
-  ///         positive, a wave outside the database; DatabaseIncomplete: no hull in it and no shape
-  ///         given; BadArgument: a null pointer, an unknown part in `without`. Nothing has changed
-  ///         then.
+  /// @throws HydroError ValueOutOfRange: a setting that is not finite or far outside what ships do
+  ///         (named, with its bounds), gravity not along −z or zero, mass or gyradii not positive,
+  ///         a wave outside the database; DatabaseIncomplete: no hull in it and no shape given;
+  ///         BadArgument: a null pointer, an unknown part in `without`, a body that is a ship here
+  ///         already. Nothing has changed then.
   Ship& addShip(std::shared_ptr<const Hydrodynamics> hydrodynamics,
                 const ShipSettings& settings = {});
   /// The user's own body, already in the world, origin in G, axes B; the database's mass within

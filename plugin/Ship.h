@@ -155,6 +155,7 @@ class Ship {
   std::vector<double> costs() const;
 
   // Autopilots. Orders may change at any time between ticks.
+  // @throws HydroError ValueOutOfRange, naming field, value and bounds; the order before stays.
   void keepSpeed(const SpeedKeeper& order);
   void keepCourse(const CourseKeeper& order);
   void stopKeepingSpeed() noexcept;
@@ -166,7 +167,7 @@ class Ship {
   void resetVelocity(const Vec3& linear, const Vec3& angular) noexcept;
   /// Puts the ship elsewhere, mean course and all, in calm water: `offset` as in ShipStart. All
   /// parts forget their past; orders to autopilots stay.
-  /// @throws HydroError as SeaTables::exact; nothing has changed then.
+  /// @throws HydroError as SeaTables::exact, or ValueOutOfRange; nothing has changed then.
   void placeAt(double x, double y, double heading, const Vec6& offset = Vec6::Zero(),
                double speed = 0.0);
 

@@ -13,6 +13,7 @@
 #include "hydro/forces/linear/SupplementaryForce.h"
 #include "hydro/forces/linear/WaveForce.h"
 #include "plugin/AddedMassConstraint.h"
+#include "plugin/SettingsCheck.h"
 #include "plugin/Ship.h"
 #include "plugin/ShipPart.h"
 
@@ -181,8 +182,14 @@ std::vector<double> Ship::costs() const {
   return mean;
 }
 
-void Ship::keepSpeed(const SpeedKeeper& order) { autopilots_->hold(order); }
-void Ship::keepCourse(const CourseKeeper& order) { autopilots_->hold(order); }
+void Ship::keepSpeed(const SpeedKeeper& order) {
+  checkOrder(order, "Ship::keepSpeed");
+  autopilots_->hold(order);
+}
+void Ship::keepCourse(const CourseKeeper& order) {
+  checkOrder(order, "Ship::keepCourse");
+  autopilots_->hold(order);
+}
 void Ship::stopKeepingSpeed() noexcept { autopilots_->releaseSpeed(); }
 void Ship::stopKeepingCourse() noexcept { autopilots_->releaseCourse(); }
 

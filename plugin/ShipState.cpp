@@ -6,6 +6,7 @@
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/forces/SeaTables.h"
 #include "plugin/AddedMassConstraint.h"
+#include "plugin/SettingsCheck.h"
 #include "plugin/Ship.h"
 #include "plugin/ShipAxes.h"
 #include "plugin/ShipPart.h"
@@ -118,6 +119,8 @@ void Ship::resetVelocity(const Vec3& linear, const Vec3& angular) noexcept {
 }
 
 void Ship::placeAt(double x, double y, double heading, const Vec6& offset, double speed) {
+  checkStart({.x = x, .y = y, .heading = heading, .speed = speed, .offset = offset},
+             "Ship::placeAt");
   if (!course_.follows()) onCourse_ = tables_->exact(heading, speed);  // what throws, first
   course_.reset(x, y, heading, speed);
   input_.courseBegins = true;

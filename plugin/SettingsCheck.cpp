@@ -1,0 +1,82 @@
+#include "plugin/SettingsCheck.h"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "hydro/Errors.h"
+
+CUTWATER_PLUGIN_BEGIN
+
+namespace {
+
+constexpr double kFarthest = 1e7;     // [m]
+constexpr double kLargestTurn = 1e4;  // [rad]
+constexpr double kFastest = 100.0;    // mean speed [m/s]
+constexpr double kFastestOf = 1e3;    // a velocity beside it [m/s, rad/s]
+constexpr double kLongestOffset = 1e5, kLargestAngle = 4.0 * kPi;
+
+class Check {
+ public:
+  Check(const char* function, std::string group) : function_(function), group_(std::move(group)) {}
+  void within(const std::string& field, double value, double low, double high) const {
+    if (value >= low && value <= high) return;
+    std::ostringstream line;
+    line << function_ << ": " << group_ << field << " = " << value << ": must be in " << low << ".."
+         << high;
+    throw HydroError(Fault::ValueOutOfRange, line.str());
+  }
+  void within(const std::string& field, double value, double most) const {
+    within(field, value, -most, most);
+  }
+
+ private:
+  const char* function_;
+  std::string group_;
+};
+
+void checkModel(const ShipModel& model, const char* function) {
+  const Check check(function, "model.");
+  check.within("mean", static_cast<int>(model.mean), 0, static_cast<int>(Mean::Filtered));
+  check.within("memory", static_cast<int>(model.memory), 0,
+               static_cast<int>(MemoryModel::Convolution));
+  check.within("followTime", model.followTime, 0.1, 1e4);
+  if (model.keepSpeed) checkOrder(*model.keepSpeed, function);
+  if (model.keepCourse) checkOrder(*model.keepCourse, function);
+}
+
+}  // namespace
+
+void checkStart(const ShipStart& start, const char* function) {
+  const Check check(function, "start.");
+  check.within("x", start.x, kFarthest);
+  check.within("y", start.y, kFarthest);
+  check.within("heading", start.heading, kLargestTurn);
+  check.within("speed", start.speed, kFastest);
+  for (int i = 0; i < 6; ++i) {
+    const std::string index = "[" + std::to_string(i) + "]";
+    check.within("offset" + index, start.offset[i], i < 3 ? kLongestOffset : kLargestAngle);
+    check.within("velocity" + index, start.velocity[i], kFastestOf);
+  }
+}
+
+void checkOrder(const SpeedKeeper& order, const char* function) {
+  const Check check(function, "SpeedKeeper::");
+  check.within("speed", order.speed, kFastest);
+  check.within("maxThrust", order.maxThrust, 0.0, std::numeric_limits<float>::max());
+  check.within("rate", order.rate, 1e-6, 10.0);
+}
+
+void checkOrder(const CourseKeeper& order, const char* function) {
+  const Check check(function, "CourseKeeper::");
+  check.within("heading", order.heading, kLargestTurn);
+  check.within("maxMoment", order.maxMoment, 0.0, std::numeric_limits<float>::max());
+  check.within("rate", order.rate, 1e-6, 10.0);
+}
+
+void checkSettings(const ShipSettings& settings, const char* function) {
+  checkStart(settings.start, function);
+  checkModel(settings.model, function);
+}
+
+CUTWATER_PLUGIN_END

@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "hydro/forces/Hydrodynamics.h"
+#include "tests/plugin/TestScene.h"
+
+// Every number of the settings of a ship: what is not finite or absurd is refused by name, and
+// nothing has changed then.
+namespace cutwater::test {
+namespace {
+
+struct Field {
+  const char* name;
+  std::function<double&(ShipSettings&)> of;
+  double absurd;
+};
+
+SpeedKeeper& speedKeeper(ShipSettings& s) {
+  if (!s.model.keepSpeed) s.model.keepSpeed.emplace();
+  return *s.model.keepSpeed;
+}
+CourseKeeper& courseKeeper(ShipSettings& s) {
+  if (!s.model.keepCourse) s.model.keepCourse.emplace();
+  return *s.model.keepCourse;
+}
+
+std::vector<Field> fields() {
+  std::vector<Field> all{
+      {"start.x", [](auto& s) -> double& { return s.start.x; }, 1e12},
+      {"start.y", [](auto& s) -> double& { return s.start.y; }, -1e12},
+      {"start.heading", [](auto& s) -> double& { return s.start.heading; }, 1e9},
+      {"start.speed", [](auto& s) -> double& { return s.start.speed; }, 1e6},
+      {"model.followTime", [](auto& s) -> double& { return s.model.followTime; }, 1e-9},
+      {"SpeedKeeper::speed", [](auto& s) -> double& { return speedKeeper(s).speed; }, -1e6},
+      {"SpeedKeeper::maxThrust", [](auto& s) -> double& { return speedKeeper(s).maxThrust; }, -1.0},
+      {"SpeedKeeper::rate", [](auto& s) -> double& { return speedKeeper(s).rate; }, 0.0},
+      {"CourseKeeper::heading", [](auto& s) -> double& { return courseKeeper(s).heading; }, 1e9},
+      {"CourseKeeper::maxMoment", [](auto& s) -> double& { return courseKeeper(s).maxMoment; },
+       1e300},
+      {"CourseKeeper::rate", [](auto& s) -> double& { return courseKeeper(s).rate; }, 1e6},
+  };
+  static const char* const offsets[6] = {"start.offset[0]", "start.offset[1]", "start.offset[2]",
+                                         "start.offset[3]", "start.offset[4]", "start.offset[5]"};
+  static const char* const velocities[6] = {"start.velocity[0]", "start.velocity[1]",
+                                            "start.velocity[2]", "start.velocity[3]",
+                                            "start.velocity[4]", "start.velocity[5]"};
+  for (int i = 0; i < 6; ++i) {
+    all.push_back({offsets[i], [i](auto& s) -> double& { return s.start.offset[i]; }, 1e6});
+    all.push_back({velocities[i], [i](auto& s) -> double& { return s.start.velocity[i]; }, -1e6});
+  }
+  return all;
+}
+
+/// What addShip says; "" if it takes the settings.
+std::string refusal(Seaway& seaway, const std::shared_ptr<const Hydrodynamics>& hydro,
+                    const ShipSettings& settings) {
+  try {
+    seaway.removeShip(seaway.addShip(hydro, settings));
+  } catch (const HydroError& error) {
+    EXPECT_EQ(error.fault(), Fault::ValueOutOfRange);
+    return error.what();
+  }
+  return {};
+}
+
+TEST(ShipSettings, EveryFieldIsChecked) {
+  TestWorld plain(kSphereGravity);
+  Seaway seaway(plain.world);
+  btSphereShape shape(5);
+  const auto hydro = std::make_shared<const Hydrodynamics>(hemisphere());
+  for (const Field& field : fields()) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    for (const double value : {std::nan(""), kInfinity, -kInfinity, field.absurd}) {
+      ShipSettings settings{.collision = {.shape = &shape}};
+      field.of(settings) = value;
+      const std::string said = refusal(seaway, hydro, settings);
+      EXPECT_NE(said.find(field.name), std::string::npos)
+          << field.name << " = " << value << ": \"" << said << "\"";
+      EXPECT_NE(said.find("Seaway::addShip"), std::string::npos);
+    }
+  }
+  ShipSettings settings{.collision = {.shape = &shape}};
+  settings.model.mean = static_cast<Mean>(7);
+  EXPECT_NE(refusal(seaway, hydro, settings).find("model.mean = 7"), std::string::npos);
+  settings.model.mean = Mean::Fixed;
+  settings.model.memory = static_cast<MemoryModel>(-1);
+  EXPECT_NE(refusal(seaway, hydro, settings).find("model.memory = -1"), std::string::npos);
+  EXPECT_TRUE(seaway.ships().empty());
+  EXPECT_EQ(plain.world.getNumCollisionObjects(), 0);
+  EXPECT_EQ(plain.world.getNumConstraints(), 0);
+}
+
+TEST(ShipSettings, OrdersAndPlacesAreCheckedLater) {
+  TestWorld plain(kSphereGravity);
+  Seaway seaway(plain.world);
+  btSphereShape shape(5);
+  Ship& ship = seaway.addShip(hemisphere(), {.collision = {.shape = &shape}});
+  EXPECT_THROW(ship.keepSpeed({.speed = std::nan("")}), HydroError);
+  EXPECT_THROW(ship.keepCourse({.rate = -1.0}), HydroError);
+  EXPECT_THROW(ship.placeAt(std::nan(""), 0.0, 0.0), HydroError);
+  EXPECT_THROW(ship.placeAt(0.0, 0.0, 0.0, one(Heave, 1e9)), HydroError);
+  EXPECT_EQ(ship.position().x(), 0.0);
+}
+
+TEST(ShipSettings, OneBodyIsOneShip) {
+  TestWorld plain(kSphereGravity);
+  Seaway seaway(plain.world);
+  btSphereShape shape(5);
+  const auto hydro = std::make_shared<const Hydrodynamics>(hemisphere());
+  Ship& ship = seaway.addShip(hydro, {.collision = {.shape = &shape}});
+  try {
+    seaway.addShip(hydro, ship.body());
+    ADD_FAILURE() << "the same body twice was accepted";
+  } catch (const HydroError& error) {
+    EXPECT_EQ(error.fault(), Fault::BadArgument);
+    EXPECT_NE(std::string(error.what()).find("already"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(seaway.ships().size(), 1u);
+  EXPECT_EQ(plain.world.getNumConstraints(), 1);
+}
+
+}  // namespace
+}  // namespace cutwater::test
