@@ -17,6 +17,7 @@ namespace cutwater {
 void writeBemio(hdf5::Writer& writer, const Coefficients& coefficients,
                 const ImpulseResponse& retardation);
 
+/// Numbers that contradict make the result `Unfinished`: for the frequency domain only.
 /// @param missing  receives what the file does not have and what was taken instead.
 /// @throws HydroError DatabaseIncomplete, FileMalformed, FormatNotSupported.
 Coefficients readBemio(const hdf5::Reader& reader, std::vector<std::string>& missing);

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
+#include "hydro/database/BemioContradictions.h"
 #include "hydro/database/BemioLayout.h"
+#include "hydro/database/CutwaterGroup.h"
 
 namespace cutwater {
 
@@ -65,6 +67,7 @@ class BemioReader {
     }
     c_.omega = file_.numbers(group + "w").data;
     if (c_.omega.empty()) malformed("simulation_parameters/w is empty");
+    checkIncreasing(file_.path(), group + "w", c_.omega, 0.0);
     readDepth(group + "water_depth");
   }
 
@@ -110,12 +113,23 @@ class BemioReader {
     for (std::size_t j = 0; j < 6; ++j) {
       for (std::size_t k = 0; k < 6; ++k) {
         for (std::size_t i = 0; i < n; ++i) {
-          result[i](static_cast<int>(j), static_cast<int>(k)) =
-              factor(i) * array.data[(j * array.shape[1] + k) * n + i];
+          const double value = array.data[(j * array.shape[1] + k) * n + i];
+          if (!std::isfinite(value)) notFinite(name, j, fmt::format("k = {}", k + 1), n, i);
+          result[i](static_cast<int>(j), static_cast<int>(k)) = factor(i) * value;
         }
       }
     }
     return result;
+  }
+
+  /// @param j  from 0.  @param n  how many frequencies the dataset has; i is one of them.
+  [[noreturn]] void notFinite(const std::string& name, std::size_t j, const std::string& column,
+                              std::size_t n, std::size_t i) const {
+    const std::string at = n == 1 && c_.omega.size() != 1 ? std::string("infinity")
+                                                          : fmt::format("{:.6g} rad/s", c_.omega[i]);
+    throw HydroError(Fault::ValueOutOfRange,
+                     fmt::format("{}: {} is not finite at j = {}, {}, omega = {}", file_.path(),
+                                 name, j + 1, column, at));
   }
 
   void readRadiation() {
@@ -128,10 +142,20 @@ class BemioReader {
     c_.damping.values = series(group + "radiation_damping/all", n,
                                [&](std::size_t i) { return rho * c_.omega[i]; });
     c_.addedMass.atZero = c_.addedMass.values.front();
+    refuseMemoryOf(bemioContradictions(c_));
     missing_.push_back(fmt::format("A(0) taken as A({:g} rad/s)", c_.omega.front()));
   }
 
-  /// Complex amplitudes [heading][frequency] in our units and phase; empty if absent or NaN.
+  /// What no memory can come of is left to the frequency domain.
+  void refuseMemoryOf(const std::vector<std::string>& contradictions) {
+    if (contradictions.empty()) return;
+    c_.status = CoefficientStatus::Unfinished;
+    c_.unfinishedBecause = fmt::format("{}", fmt::join(contradictions, "; "));
+    missing_.push_back("for the frequency domain only: " + c_.unfinishedBecause);
+  }
+
+  /// Complex amplitudes [heading][frequency] in our units and phase; empty if absent, or NaN in one
+  /// of the two parts.
   std::vector<std::vector<CVec6>> excitation(const std::string& group) const {
     const std::size_t n = c_.omega.size(), headings = c_.headings.size();
     if (!file_.has(group + "re") || !file_.has(group + "im")) return {};
@@ -142,7 +166,10 @@ class BemioReader {
       for (std::size_t h = 0; h < headings; ++h) {
         for (std::size_t i = 0; i < n; ++i) {
           const std::size_t at = (j * headings + h) * n + i;
-          if (!std::isfinite(re.data[at]) || !std::isfinite(im.data[at])) return {};
+          if (!std::isfinite(re.data[at]) || !std::isfinite(im.data[at])) {
+            if (group != kExcitation) return {};  // a part that the other code did not compute
+            notFinite(group + "re or im", j, fmt::format("heading {}", h + 1), n, i);
+          }
           result[h][i](static_cast<int>(j)) = toOurs(h, i) * Complex(re.data[at], im.data[at]);
         }
       }
@@ -165,7 +192,7 @@ class BemioReader {
     }
     const std::string group = kExcitation;
     const auto total = excitation(group);
-    if (total.empty()) malformed("excitation/re or im is missing or not finite");
+    if (total.empty()) malformed("excitation/im is missing");
     c_.froudeKrylov = excitation(group + "froude-krylov/");
     c_.diffraction = total;
     if (c_.froudeKrylov.empty()) {

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "hydro/Errors.h"
 #include "hydro/database/CutwaterGroup.h"
 
@@ -12,11 +14,7 @@ class Check {
   Check(const Coefficients& c, const std::string& where) : c_(c), where_(where) {}
 
   void increasing(const char* name, const std::vector<double>& values, double above) const {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (values[i] > (i == 0 ? above : values[i - 1])) continue;
-      throw HydroError(Fault::FrequenciesNotIncreasing,
-                       fmt::format("{}: {}[{}] = {} rad/s", where_, name, i, values[i]));
-    }
+    checkIncreasing(where_, name, values, above);
   }
 
   void sizes() const {
@@ -114,6 +112,19 @@ class Check {
 };
 
 }  // namespace
+
+void checkIncreasing(const std::string& where, const std::string& name,
+                     const std::vector<double>& values, double above) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i] > (i == 0 ? above : values[i - 1])) continue;
+    const std::string rule =
+        i == 0 ? fmt::format("the first must be above {}", std::max(above, 0.0))
+               : fmt::format("must be above the one before, {}: frequencies increase strictly",
+                             values[i - 1]);
+    throw HydroError(Fault::FrequenciesNotIncreasing,
+                     fmt::format("{}: {}[{}] = {} rad/s: {}", where, name, i, values[i], rule));
+  }
+}
 
 void checkCoefficients(const Coefficients& c, const std::string& where) {
   checkFinite(c, where);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "hydro/Errors.h"
@@ -292,23 +293,41 @@ void deduceStatus(Coefficients& c) {
 /// A store that only looks: every number finite.
 class FiniteCheck {
  public:
-  explicit FiniteCheck(std::string where) : where_(std::move(where)) {}
+  FiniteCheck(std::string where, const std::vector<double>& omega)
+      : where_(std::move(where)), omega_(omega) {}
   template <class T>
   void operator()(const std::string& name, const T& value) {
     std::vector<double> data;
     pack(value, data);
-    for (std::size_t i = 0; i < data.size(); ++i) {
-      if (std::isfinite(data[i])) continue;
-      throw HydroError(Fault::ValueOutOfRange,
-                       fmt::format("{}: {} is {} at number {}", where_, name, data[i], i));
-    }
+    const auto bad =
+        std::find_if(data.begin(), data.end(), [](double x) { return !std::isfinite(x); });
+    if (bad == data.end()) return;
+    const auto at = static_cast<std::size_t>(bad - data.begin());
+    throw HydroError(Fault::ValueOutOfRange, fmt::format("{}: {}{} is {}", where_, name,
+                                                         placeIn(shapeOf(value), at), *bad));
   }
   void operator()(const std::string&, const bool&) {}
   void operator()(const std::string&, const std::string&) {}
   void operator()(const std::string&, const ForwardSpeedForm&) {}
 
  private:
+  /// The indices of number `at`, from 0, and what they mean where it is known: the frequency, and
+  /// modes from 1.
+  std::string placeIn(const Shape& shape, std::size_t at) const {
+    std::vector<std::size_t> index(shape.size());
+    for (std::size_t d = shape.size(); d-- > 0; at /= shape[d]) index[d] = at % shape[d];
+    if (index.empty()) return {};
+    const auto last = shape.end();
+    const bool modes = shape.size() >= 2 && last[-1] == 6 && last[-2] == 6;
+    const bool perFrequency = shape.size() >= 3 && modes && shape.front() == omega_.size();
+    std::string place = fmt::format("[{}]", fmt::join(index, ", "));
+    if (perFrequency) place += fmt::format(" at omega = {:.6g} rad/s", omega_[index.front()]);
+    if (modes) place += fmt::format(" (j = {}, k = {})", index.end()[-2] + 1, index.back() + 1);
+    return place;
+  }
+
   std::string where_;
+  const std::vector<double>& omega_;
 };
 
 }  // namespace
@@ -334,7 +353,7 @@ Coefficients readCutwaterGroup(const hdf5::Reader& reader, std::int64_t version)
 }
 
 void checkFinite(const Coefficients& coefficients, const std::string& where) {
-  transfer(FiniteCheck(where), coefficients);
+  transfer(FiniteCheck(where, coefficients.omega), coefficients);
 }
 
 }  // namespace cutwater

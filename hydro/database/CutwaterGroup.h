@@ -17,8 +17,14 @@ void writeCutwaterGroup(hdf5::Writer& writer, const Coefficients& coefficients);
 /// @throws HydroError DatabaseIncomplete, FileMalformed.
 Coefficients readCutwaterGroup(const hdf5::Reader& reader, std::int64_t version);
 
-/// Refuses numbers that are not finite. @throws HydroError ValueOutOfRange.
+/// Refuses numbers that are not finite, naming modes and frequency.
+/// @throws HydroError ValueOutOfRange.
 void checkFinite(const Coefficients& coefficients, const std::string& where);
+
+/// Refuses `values` [rad/s] unless each is above the one before, the first above `above`.
+/// @throws HydroError FrequenciesNotIncreasing, naming the number and the rule.
+void checkIncreasing(const std::string& where, const std::string& name,
+                     const std::vector<double>& values, double above);
 
 /// Refuses numbers that are not finite, a mask other than 0 and 1, sizes that do not match,
 /// frequencies that do not increase, a status that the numbers contradict.

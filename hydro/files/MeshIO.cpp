@@ -170,6 +170,17 @@ double metresPer(const std::string& unit) {
   throw HydroError(Fault::BadArgument, "unit = \"" + unit + "\" is none of m, mm, cm, ft, in");
 }
 
+void checkPose(const MeshReadOptions& o) {
+  const auto refuse = [](const char* key, double value, const char* rule) {
+    std::ostringstream line;
+    line << key << " = " << value << ": must be " << rule;
+    throw HydroError(Fault::ValueOutOfRange, line.str());
+  };
+  if (!(std::abs(o.waterline) <= 1e6)) refuse("waterline", o.waterline, "within 1e6");
+  if (!(std::abs(o.trimDeg) < 90.0)) refuse("trim_deg", o.trimDeg, "below 90 either way");
+  if (!(std::abs(o.heelDeg) < 90.0)) refuse("heel_deg", o.heelDeg, "below 90 either way");
+}
+
 /// File axes → hull axes, in place.
 void turnToHullAxes(SurfaceMesh& mesh, const MeshReadOptions& o) {
   const Vec3 up = axis(o.up, "up"), forward = axis(o.forward, "forward");
@@ -177,10 +188,7 @@ void turnToHullAxes(SurfaceMesh& mesh, const MeshReadOptions& o) {
     throw HydroError(Fault::BadArgument,
                      "up = \"" + o.up + "\" and forward = \"" + o.forward + "\" are the same axis");
   const double scale = metresPer(o.unit);
-  for (const auto& [key, value] :
-       {std::pair{"waterline", o.waterline}, {"trim_deg", o.trimDeg}, {"heel_deg", o.heelDeg}})
-    if (!std::isfinite(value) || (std::strcmp(key, "waterline") != 0 && std::abs(value) >= 90))
-      throw HydroError(Fault::ValueOutOfRange, std::string(key) + " = " + std::to_string(value));
+  checkPose(o);
   Mat3 turn;
   turn << forward, up.cross(forward), up;
   const bool level = o.trimDeg == 0.0 && o.heelDeg == 0.0;

@@ -75,6 +75,9 @@ double spreadAngle(std::mt19937_64& random, double s) {
 }
 
 void check(const SeaStateSettings& s, double from, double to) {
+  // NaN would be taken for "not given".
+  require(s.omegaMin >= 0.0, "omega_min", s.omegaMin);
+  require(s.omegaMax >= 0.0, "omega_max", s.omegaMax);
   require(s.components >= 1 && s.components <= 1000000, "components", s.components);
   require(s.spreading >= 0.0 && s.spreading <= 1000.0, "spreading", s.spreading);
   require(std::isfinite(s.heading), "heading", s.heading);
@@ -91,15 +94,34 @@ double Spectrum::peakFrequency() const {
 
 double Spectrum::operator()(double omega) const { return scaled(*this, 1.0 / norm(*this), omega); }
 
+std::pair<double, double> cutOffs(const Spectrum& spectrum, const SeaStateSettings& settings) {
+  const double peak = spectrum.peakFrequency();
+  return {settings.omegaMin > 0.0 ? settings.omegaMin : 0.5 * peak,
+          settings.omegaMax > 0.0 ? settings.omegaMax : 4.0 * peak};
+}
+
+// In cells that are narrow beside the peak; beyond 30 ω_p is 1e-6 of the energy.
+double shareOfEnergy(const Spectrum& spectrum, double from, double to) {
+  Spectrum unit = spectrum;
+  unit.hs = 4.0;  // m0 = 1
+  unit.tp = 2.0 * kPi / spectrum.peakFrequency();
+  const double peak = spectrum.peakFrequency();
+  const double last = std::min(to, 30.0 * peak), width = 0.02 * peak;
+  const double scale = 1.0 / norm(unit);
+  const auto density = [&](double omega) { return scaled(unit, scale, omega); };
+  double sum = 0.0;
+  for (double left = std::max(from, 0.0); left < last; left += width)
+    sum += gauss5(left, std::min(left + width, last), density);
+  return std::min(sum, 1.0);
+}
+
 SeaState makeSeaState(const Spectrum& spectrum, const SeaStateSettings& settings) {
-  require(spectrum.hs >= 0.0 && std::isfinite(spectrum.hs), "hs", spectrum.hs);
+  require(spectrum.hs >= 0.0 && spectrum.hs <= 1e3, "hs", spectrum.hs);
   const bool follows = spectrum.shape == SpectrumShape::PiersonMoskowitz && spectrum.tp == 0.0;
   require(follows || (spectrum.tp > 0.0 && std::isfinite(spectrum.tp)), "tp", spectrum.tp);
   require(spectrum.gamma >= 1.0 && spectrum.gamma <= 20.0, "gamma", spectrum.gamma);
   require(spectrum.gravity > 0.0 && std::isfinite(spectrum.gravity), "gravity", spectrum.gravity);
-  const double peak = spectrum.peakFrequency();
-  const double from = settings.omegaMin > 0.0 ? settings.omegaMin : 0.5 * peak;
-  const double to = settings.omegaMax > 0.0 ? settings.omegaMax : 4.0 * peak;
+  const auto [from, to] = cutOffs(spectrum, settings);
   check(settings, from, to);
 
   const double scale = 1.0 / norm(spectrum);

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "hydro/waves/SeaState.h"
@@ -41,6 +42,13 @@ struct SeaStateSettings {
   double omegaMax = 0.0;  ///< [rad/s]; 0: 4 ω_p
   double ramp = 0.0;      ///< [s]
 };
+
+/// ω [rad/s] from which and up to which a sea has components: those given, or those that follow from
+/// ω_p.
+std::pair<double, double> cutOffs(const Spectrum& spectrum, const SeaStateSettings& settings);
+
+/// Share of m0 = hs²/16 between two frequencies [rad/s], 0..1, to 1e-3.
+double shareOfEnergy(const Spectrum& spectrum, double from, double to);
 
 /// Bins of equal width in ω, one component at a random place in each, so that the sea does not
 /// repeat; its amplitude carries the whole energy of the bin: Σ a²/2 = ∫ S dω between the two
