@@ -1,11 +1,16 @@
 // cutwater: the command. Reads arguments; each subcommand is a function of its own (Commands.h).
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <filesystem>
+#include <csignal>
+#include <iostream>
+#include <sstream>
 
 #include "demos/cutwater/commands/Commands.h"
 #include "demos/cutwater/commands/Precision.h"
 #include "demos/cutwater/input/HullFile.h"
+#include "demos/cutwater/output/OutputFile.h"
 #include "hydro/Errors.h"
 #include "hydro/geometry/panelling/Panelling.h"
 
@@ -39,12 +44,11 @@ void threads(CLI::App* sub, Arguments& a) {
       ->check(CLI::Range(0, 1024));
 }
 
-// One line for what no command may do: write over what it reads.
+// No command may write over what it reads; files that a TOML names are checked where they are read.
 void checkFiles(const Arguments& a) {
-  std::error_code none;
-  if (!a.out.empty() && std::filesystem::equivalent(a.input, a.out, none)) {
+  command::setOutput(a.out);
+  if (command::isOutput(a.input))
     throw HydroError(Fault::FileNotWritable, "-o " + a.out + ": is the file that is read");
-  }
 }
 
 void speed(CLI::App* sub, Arguments& a) {
@@ -195,6 +199,43 @@ void addRuns(CLI::App& app, Arguments& a) {
   });
 }
 
+// A descriptor that the caller has closed would be given to the next file that is opened, and
+// messages would go into it. What is written to a closed stdout fails, as it should.
+void keepStandardFiles() {
+  for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(file, F_GETFD) != -1) continue;
+    if (::open("/dev/null", file == STDERR_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
+  }
+  std::signal(SIGPIPE, SIG_IGN);  // a reader of stderr that has gone ends no run
+}
+
+// CLI11 reads an empty text as the number 0.
+void refuseEmpty(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    const bool emptyValue = argument.starts_with("--") && argument.ends_with('=');
+    if (!argument.empty() && !emptyValue) continue;
+    const std::string before = emptyValue ? argument.substr(0, argument.size() - 1)
+                               : i > 1    ? argv[i - 1]
+                                          : "cutwater";
+    throw command::UsageError(command::shortened(before) + " \"\": a value is missing");
+  }
+}
+
+int refused(const std::exception& error, int code) {
+  command::say(std::string("cutwater: ") + error.what());
+  return code;
+}
+
+int usage(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream out, lines;
+  const int code = app.exit(error, out, lines) == 0 ? 0 : 2;
+  if (code == 0) std::cout << out.str() << std::flush;
+  std::istringstream read(out.str() + lines.str());
+  for (std::string line; code != 0 && std::getline(read, line);) command::say(line);
+  return code;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -206,6 +247,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", CUTWATER_VERSION);
   app.require_subcommand(1);
   app.footer("`cutwater COMMAND --help` explains one command. Exit: 0 done, 1 failed, 2 usage.");
+  keepStandardFiles();
   command::rememberArguments(argv);
   Arguments arguments;
   addGeometryAndSolver(app, arguments);
@@ -213,15 +255,16 @@ int main(int argc, char** argv) {
   addTables(app, arguments);
   addRuns(app, arguments);
   try {
+    refuseEmpty(argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    return usage(app, error);
   } catch (const command::UsageError& error) {
-    std::fprintf(stderr, "cutwater: %s\n", error.what());
-    return 2;
+    return refused(error, 2);
+  } catch (const std::bad_alloc&) {
+    return refused(std::runtime_error("not enough memory"), 1);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "cutwater: %s\n", error.what());
-    return 1;
+    return refused(error, 1);
   }
   return 0;
 }

@@ -63,6 +63,9 @@ const std::vector<double>& defaultWaveOmega(const Coefficients& coefficients);
 Coefficients readDatabase(const std::string& path, const SpeedOptions& moving);
 /// "X,Y,Z" of an option. @throws UsageError naming option and text.
 Vec3 vectorOption(const std::string& option, const std::string& text);
+/// Refuses work whose results do not fit into three quarters of this machine's memory.
+/// @param what  begins the message, naming fields and values.  @throws HydroError ValueOutOfRange.
+void requireMemory(const std::string& what, double bytes);
 /// β [rad] of a --heading in degrees. @throws UsageError beyond two turns.
 double headingRadians(double degrees);
 

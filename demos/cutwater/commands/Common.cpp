@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <charconv>
 #include <cmath>
@@ -25,7 +26,7 @@ std::optional<double> number(const std::string& text, std::size_t from, std::siz
 double part(const std::string& range, std::size_t from, std::size_t to) {
   const auto value = number(range, from, to);
   if (!value) {
-    throw UsageError("--omega " + range + ": must be A:B:N, for instance 0.2:2:37");
+    throw UsageError("--omega " + shortened(range) + ": must be A:B:N, for instance 0.2:2:37");
   }
   return *value;
 }
@@ -45,7 +46,8 @@ std::vector<double> omegaList(const std::string& range, const std::vector<double
   const double from = part(range, 0, first), to = part(range, first + 1, second);
   const double count = part(range, second + 1, range.size());
   if (!(from > 0.0) || to < from || count < 1.0 || count > 100000.0 || count != std::floor(count)) {
-    throw UsageError("--omega " + range + ": needs 0 < A <= B and a whole number N of values");
+    throw UsageError("--omega " + shortened(range) +
+                     ": needs 0 < A <= B and a whole number N of values");
   }
   std::vector<double> values;
   const int n = static_cast<int>(count);
@@ -86,11 +88,13 @@ Coefficients readDatabase(const std::string& path, const SpeedOptions& moving) {
   return coefficients;
 }
 
+constexpr double kFarthest = 1e6;  // [m]
+
 Vec3 vectorOption(const std::string& option, const std::string& text) {
   const std::size_t first = text.find(',');
   const std::size_t second = first == std::string::npos ? first : text.find(',', first + 1);
   const auto refuse = [&] {
-    throw UsageError(option + " " + text +
+    throw UsageError(option + " " + shortened(text) +
                      ": must be three numbers X,Y,Z, for instance -2.4,0,1.3");
   };
   if (second == std::string::npos) refuse();
@@ -99,9 +103,21 @@ Vec3 vectorOption(const std::string& option, const std::string& text) {
   for (int i = 0; i < 3; ++i) {
     const auto value = number(text, from[i], to[i]);
     if (!value) refuse();
+    if (std::abs(*value) > kFarthest)
+      throw UsageError(
+          fmt::format("{} {}: must be within {} m", option, shortened(text), kFarthest));
     vector[i] = *value;
   }
   return vector;
+}
+
+void requireMemory(const std::string& what, double bytes) {
+  const double here =
+      static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  if (here <= 0.0 || bytes <= 0.75 * here) return;
+  throw HydroError(Fault::ValueOutOfRange,
+                   fmt::format("{}: needs about {:.3g} GB of memory, this machine has {:.3g} GB",
+                               what, 1e-9 * bytes, 1e-9 * here));
 }
 
 double headingRadians(double degrees) {

@@ -33,8 +33,8 @@ void panel(const std::string& hull, int count, const MeshReadOptions& options,
       fmt::format("{} of the wet part of {}\nmetres; x forward, y to port, z up from calm water; "
                   "made by cutwater panel",
                   about, std::filesystem::path(hull).filename().string()));
-  fmt::print(stderr, "{}: {}; {:.1f} % of them more than 3 times as long as wide\n", out, about,
-             100.0 * stretchedShare(made.panels));
+  say(fmt::format("{}: {}; {:.1f} % of them more than 3 times as long as wide", out, about,
+                  100.0 * stretchedShare(made.panels)));
 }
 
 }  // namespace cutwater::command

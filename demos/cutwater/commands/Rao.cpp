@@ -34,6 +34,8 @@ CVec6 motion(const FrequencyResponse& response, double omega, double heading, do
 void rao(const std::string& database, const WaveOptions& options, const LoadingOptions& loading,
          const std::string& out) {
   const auto cog = given("--cog", loading.cog), gyradii = given("--gyradii", loading.gyradii);
+  if (loading.mass && !(*loading.mass > 0.0 && *loading.mass <= 1e15))
+    throw UsageError(fmt::format("--mass {}: must be in 0..1e15 kg", *loading.mass));
   Coefficients coefficients = readDatabase(database, options.moving);
   if (loading.mass || cog || gyradii) {
     const ShipParticulars ship = coefficients.ship;

@@ -13,10 +13,12 @@ namespace cutwater::command {
 
 void retardation(const std::string& database, double step, double duration,
                  const std::string& out) {
-  if (!(step > 0.0) || !(duration >= step) || duration / step > 1e6) {
+  if (!(step > 0.0) || !(duration >= step) || !(duration / step <= 1e6)) {
     throw UsageError(fmt::format(
         "--dt {} --duration {}: needs 0 < dt <= duration, at most 1e6 rows", step, duration));
   }
+  requireMemory(fmt::format("--dt {} --duration {}", step, duration),
+                duration / step * 36.0 * 2.0 * 60.0);  // lines of 60 characters, in a growing text
   std::string warning;
   const Coefficients coefficients = readCoefficients(database, &warning);
   warn(warning);

@@ -37,9 +37,9 @@ class RunShip {
   int substeps_;
 };
 
-/// The run's ship, to be shared by the worlds of the run.
+/// The run's ship, to be shared by the worlds of the run; may cut the run's spectrum.
 /// @throws HydroError as readShipOfRun; naming the database, if it is unfinished.
-std::shared_ptr<const Hydrodynamics> hydrodynamicsOf(const RunFile& run);
+std::shared_ptr<const Hydrodynamics> hydrodynamicsOf(RunFile& run);
 
 /// One line for the faults of a run, naming the part of the load that broke; empty if there were
 /// none.

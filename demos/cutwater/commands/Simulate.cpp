@@ -32,7 +32,7 @@ void printParts(const Recorder& recorder, const Ship& ship) {
     std::string line = fmt::format("{}: mean", parts[i]);
     for (const double value : mean) line += fmt::format(" {:.5g}", value);
     if (costs[i] > 0.0) line += fmt::format(", {:.0f} ns a tick", costs[i]);
-    fmt::print(stderr, "{}\n", line);
+    say(line);
   }
 }
 
@@ -62,9 +62,20 @@ void checkStability(const RunFile& run, const Hydrodynamics& ship) {
                     run.path, speed, *stability.course));
 }
 
+// Of the run, if they and their text, which grows by doubling, fit into memory.
+std::size_t rowsOf(const RunFile& run, std::size_t columns) {
+  const double rows = std::floor(run.duration / run.tick + 1e-6) + 1.0;
+  constexpr double kBytes = 8.0 + 2.0 * 14.0;  // of a number, and as text
+  const std::string what = fmt::format("{}: [bullet] duration = {}, dt = {}: {:.6g} rows", run.path,
+                                       run.duration, run.tick, rows);
+  requireMemory(what, kBytes * rows * static_cast<double>(columns));
+  if (rows > 2e9) throw HydroError(Fault::ValueOutOfRange, what + ", more than 2e9");
+  return static_cast<std::size_t>(rows);
+}
+
 }  // namespace
 
-std::shared_ptr<const Hydrodynamics> hydrodynamicsOf(const RunFile& run) {
+std::shared_ptr<const Hydrodynamics> hydrodynamicsOf(RunFile& run) {
   Coefficients coefficients = readShipOfRun(run);
   warnOfResonances(run.database, coefficients);
   std::shared_ptr<const Hydrodynamics> ship;
@@ -97,8 +108,7 @@ static void warnOfTheory(RunShip& run, const std::string& path) {
 }
 
 void simulate(const std::string& path, bool forces, const std::string& out) {
-  requireWritable(out);
-  const RunFile run = readRunFile(path);
+  RunFile run = readRunFile(path);
   usePrecision(run.doublePrecision);
   if (run.omega.size() > 1) {
     throw HydroError(Fault::ValueOutOfRange,
@@ -110,8 +120,8 @@ void simulate(const std::string& path, bool forces, const std::string& out) {
   RunShip& world = *made;
   world.ship().measureCosts(forces);
   Recorder recorder(world.seaway(), world.ship(), {.forces = forces});
+  const std::size_t rows = rowsOf(run, recorder.columns().size());
   Progress progress("simulate");
-  const auto rows = static_cast<std::size_t>(run.duration / run.tick + 1e-6) + 1;
   recorder.reserve(rows + static_cast<std::size_t>(run.substeps));
   while (recorder.rows() < rows) {
     world.step();

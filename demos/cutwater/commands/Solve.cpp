@@ -12,6 +12,7 @@
 #include "demos/cutwater/output/Csv.h"
 #include "demos/cutwater/output/Progress.h"
 #include "hydro/Errors.h"
+#include "hydro/base/AtomicFile.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/memory/SpeedStability.h"
 
@@ -60,6 +61,20 @@ class Interruption {
 };
 volatile std::sig_atomic_t Interruption::asked = 0;
 
+// Journals of other ships or settings that lie beside this one.
+std::vector<std::string> journalsAside(const std::string& journal) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> found;
+  std::error_code none;
+  const std::string begin = fs::path(journal).filename().string() + ".";
+  for (const auto& entry : fs::directory_iterator(fs::absolute(journal).parent_path(), none)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(begin) && name.size() == begin.size() + 16)
+      found.push_back(entry.path().string());
+  }
+  return found;
+}
+
 Coefficients solved(const ShipFile& ship, const std::string& journal) {
   Progress progress("solve");
   const Interruption interruption;
@@ -67,8 +82,10 @@ Coefficients solved(const ShipFile& ship, const std::string& journal) {
   return cutwater::solve(
       ship.particulars, ship.solve,
       [&](int done, int total) {
+        for (const std::string& aside : first ? journalsAside(journal) : std::vector<std::string>())
+          say("solve: frequencies of another ship or of other settings are kept in " + aside);
         if (first && done > 0)
-          fmt::print(stderr, "solve: {} of {} frequencies taken from {}\n", done, total, journal);
+          say(fmt::format("solve: {} of {} frequencies taken from {}", done, total, journal));
         first = false;
         progress.show(done, total);
         interruption.check(journal, done, total);
@@ -80,20 +97,21 @@ Coefficients solved(const ShipFile& ship, const std::string& journal) {
 
 // A sweep can take minutes: better to know first that its result can be kept.
 void solve(const std::string& path, const std::string& database, int threads) {
-  requireWritable(database);
+  requireRegular(database);  // its journal lies beside it
   ShipFile ship = readShipFile(path);
   ship.solve.threads = threads;
   warnOfMask(path, ship);
-  fmt::print(stderr, "solve: {} panels{}, {} frequencies, {} headings\n",
-             ship.particulars.wetSurface.faces.size(), ship.particulars.symmetric ? " a side" : "",
-             ship.solve.omega.size(), ship.solve.headings.size());
+  say(fmt::format("solve: {} panels{}, {} frequencies, {} headings",
+                  ship.particulars.wetSurface.faces.size(),
+                  ship.particulars.symmetric ? " a side" : "", ship.solve.omega.size(),
+                  ship.solve.headings.size()));
   const std::string journal = database + ".sweep";
   Coefficients coefficients;
   naming(path, [&] { coefficients = solved(ship, journal); });
   if (const auto left = std::count(coefficients.masked.begin(), coefficients.masked.end(), 1);
       left > 0) {
-    fmt::print(stderr, "solve: {} of {} frequencies masked and interpolated\n", left,
-               coefficients.omega.size());
+    say(fmt::format("solve: {} of {} frequencies masked and interpolated", left,
+                    coefficients.omega.size()));
   }
   const std::vector<double>& waveOmega = ship.solve.waveOmega;
   if (coefficients.resolvedOmega > 0.0 && coefficients.resolvedOmega < waveOmega.back()) {

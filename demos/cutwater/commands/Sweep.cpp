@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -99,13 +101,17 @@ std::vector<CVec6> runAll(const RunFile& run, const std::shared_ptr<const Hydrod
 }  // namespace
 
 void sweep(const std::string& path, int threads, const std::string& out) {
-  requireWritable(out);
   RunFile run = readRunFile(path);
   usePrecision(run.doublePrecision);
   check(run);
   const auto ship = hydrodynamicsOf(run);
   const Coefficients& coefficients = ship->coefficients();
   keepWhatCanBeMet(run, coefficients);
+  const double ticks = 0.5 * run.duration / run.tick;  // of each, in seven series that double
+  requireMemory(
+      fmt::format("{}: [bullet] duration = {}, dt = {}", run.path, run.duration, run.tick),
+      2.0 * 7.0 * 8.0 * ticks *
+          static_cast<double>(std::min(workersFor(threads), run.omega.size())));
   const FrequencyResponse response(coefficients, run.model.restrained);
   std::vector<CVec6> inTime;
   naming(path, [&] { inTime = runAll(run, ship, threads); });

@@ -1,7 +1,6 @@
 #include "demos/cutwater/input/HullFile.h"
 
-#include <fmt/format.h>
-
+#include "demos/cutwater/output/Messages.h"
 #include "hydro/geometry/panelling/Panelling.h"
 #include "hydro/geometry/repair/MeshRepair.h"
 
@@ -11,7 +10,7 @@ PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& option
                           std::optional<int> count) {
   if (!count) return panelledAsItIs(readHull(mesh, options));
   RepairedHull repaired = readRepaired(mesh, options);
-  for (const std::string& line : repaired.done) fmt::print(stderr, "{}: {}\n", mesh, line);
+  for (const std::string& line : repaired.done) say(mesh + ": " + line);
   SurfaceMesh panels = panelled(repaired.hull, *count, mesh);
   return {std::move(repaired.hull.surface), std::move(panels), repaired.hull.symmetric};
 }
@@ -19,7 +18,7 @@ PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& option
 PanelledHull readHullSection(TomlFile& file, std::optional<int> count) {
   TomlSection hull = file.section("hull");
   if (!hull.has("mesh")) hull.refuse("mesh", "is missing; it names the hull file");
-  const std::string mesh = file.beside(hull.text("mesh", ""));
+  const std::string mesh = hull.file("mesh");
   MeshReadOptions options;
   options.up = hull.text("up", options.up, kAxisNames);
   options.forward = hull.text("forward", options.forward, kAxisNames);
@@ -28,7 +27,7 @@ PanelledHull readHullSection(TomlFile& file, std::optional<int> count) {
   options.unit = hull.text("unit", options.unit, kUnitNames);
   options.waterline = hull.number("waterline", 0.0, -1e6, 1e6);
   options.trimDeg = hull.number("trim_deg", 0.0, -45.0, 45.0);
-  options.heelDeg = hull.number("heel_deg", 0.0, -180.0, 180.0);
+  options.heelDeg = hull.number("heel_deg", 0.0, -89.9, 89.9);
   options.anyFormat = hull.boolean("any_format", false);
   options.symmetric = hull.text("symmetric", "auto", kSymmetryNames);
   std::optional<int> panels = count;

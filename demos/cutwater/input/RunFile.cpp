@@ -1,5 +1,7 @@
 #include "demos/cutwater/input/RunFile.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -51,9 +53,13 @@ void readSpectrum(TomlSection& waves, const std::string& type, RunFile& run) {
   run.sea.seed = static_cast<std::uint64_t>(waves.integer("seed", 1, 0, 2147483647));
   run.sea.omegaMin = waves.number("omega_min", 0.0, 1e-3, 100.0);
   run.sea.omegaMax = waves.number("omega_max", 0.0, 1e-3, 100.0);
-  if (waves.has("omega_min") && waves.has("omega_max") && run.sea.omegaMax <= run.sea.omegaMin) {
-    waves.refuse("omega_max", "must be above omega_min");
-  }
+  const auto [from, to] = cutOffs(run.spectrum, run.sea);
+  if (from < to) return;
+  const bool ownMin = waves.has("omega_min"), ownMax = waves.has("omega_max");
+  if (ownMax)
+    waves.refuse("omega_max", fmt::format("must be above omega_min{} {:.4g} rad/s",
+                                          ownMin ? " =" : ", of itself", from));
+  waves.refuse("omega_min", fmt::format("must be below omega_max, of itself {:.4g} rad/s", to));
 }
 
 void readComponents(TomlSection& waves, RunFile& run) {
@@ -89,6 +95,17 @@ void readWaves(TomlSection waves, RunFile& run) {
     readSpectrum(waves, type, run);
   }
   waves.finish();
+}
+
+void readBody(TomlSection body, RunFile& run) {
+  run.body.emplace();
+  for (const auto& [key, value] :
+       {std::pair{"gyradii", &run.body->gyradii}, std::pair{"size", &run.body->size}}) {
+    if (!body.has(key)) body.refuse(key, "is missing: three lengths in metres");
+    *value = body.vector(key, Vec3::Zero());
+    if (!(value->minCoeff() > 0.0)) body.refuse(key, "must be above 0");
+  }
+  body.finish();
 }
 
 void readStart(TomlSection start, RunFile& run) {
@@ -140,11 +157,12 @@ RunFile readRunFile(const std::string& path) {
   run.path = path;
   TomlSection& root = file.root();
   if (!root.has("database")) root.refuse("database", "is missing; make one with `cutwater solve`");
-  run.database = file.beside(root.text("database", ""));
-  if (root.has("ship")) run.ship = file.beside(root.text("ship", ""));
+  run.database = root.file("database");
+  if (root.has("ship")) run.ship = root.file("ship");
   readBullet(file.section("bullet"), run);
   readMotion(file.section("motion"), run);
   readWaves(file.section("waves"), run);
+  if (root.has("body")) readBody(file.section("body"), run);
   root.finish();
   return run;
 }
@@ -176,27 +194,112 @@ double RunFile::highestOmega(double gravity) const {
   return highest;
 }
 
-Coefficients readShipOfRun(const RunFile& run) {
-  std::string warning;
-  Coefficients coefficients = readCoefficients(run.database, &warning);
-  warn(warning);
-  warnIfUnresolved(run.database, coefficients, run.highestOmega(coefficients.ship.gravity));
-  if (run.ship.empty()) return coefficients;
-  const ShipFile file = readShipFile(run.ship);
-  const ShipParticulars &given = file.particulars, &solved = coefficients.ship;
+namespace {
+
+[[noreturn]] void refuse(const RunFile& run, const std::string& what) {
+  throw HydroError(Fault::ValueOutOfRange, run.path + ": " + what);
+}
+
+// The highest wave frequency that the database has an answer to.
+double lastWaveOmega(const Coefficients& c) {
+  const auto& table = c.diffractionTable.waveOmega;
+  const bool ends = c.adjoint.empty() && !table.empty();
+  return ends ? std::min(table.back(), c.omega.back()) : c.omega.back();
+}
+
+// A spectrum has no end of its own: where none is given, the database's is taken.
+void cutSpectrum(RunFile& run, const Coefficients& c) {
+  if (run.waves != RunFile::Waves::Spectrum) return;
+  run.spectrum.gravity = c.ship.gravity;
+  const auto [from, to] = cutOffs(run.spectrum, run.sea);
+  const double last = lastWaveOmega(c);
+  if (to <= last * (1.0 + 1e-9)) return;
+  if (run.sea.omegaMax > 0.0)
+    refuse(run, fmt::format("[waves] omega_max = {:.6g}: {} ends at {:.6g} rad/s", to, run.database,
+                            last));
+  if (from >= last)
+    refuse(run, fmt::format("[waves] tp = {:.4g}: waves of this sea begin at {:.4g} rad/s, {} ends "
+                            "at {:.6g}",
+                            2.0 * kPi / run.spectrum.peakFrequency(), from, run.database, last));
+  run.sea.omegaMax = last;
+  warn(
+      fmt::format("{}: [waves] omega_max is {:.6g} rad/s, where {} ends, instead of {:.4g}: {:.3g} "
+                  "% of the sea's energy is left out",
+                  run.path, last, run.database, to, 100.0 * shareOfEnergy(run.spectrum, last, to)));
+}
+
+// Mass and centre of gravity of another code's ship must be those of the hull that is given for it,
+// as far as two meshes agree.
+void takeHull(const RunFile& run, const ShipParticulars& given, ShipParticulars& ship) {
+  const auto differs = [&](const char* field, double value, double other) {
+    throw HydroError(Fault::ValueOutOfRange,
+                     fmt::format("{}: [mass] {}: {:.6g} here, {:.6g} in {}", run.ship, field, value,
+                                 other, run.database));
+  };
+  if (std::abs(given.mass - ship.mass) > 0.02 * ship.mass) differs("mass", given.mass, ship.mass);
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(given.cog[i] - ship.cog[i]) > 0.01 * given.beam())
+      differs("cog", given.cog[i], ship.cog[i]);
+  }
+  ship.hull = given.hull;
+  ship.gyradii = given.gyradii;
+}
+
+void completeForeign(const RunFile& run, const ShipParticulars* given, Coefficients& c) {
+  if (given != nullptr && run.body)
+    refuse(run, "[body]: ship names a hull already; one of the two is enough");
+  if (given != nullptr) {
+    takeHull(run, *given, c.ship);
+  } else if (run.body) {
+    if (run.body->size.z() <= -2.0 * c.ship.centreOfBuoyancy.z())
+      refuse(run, fmt::format("[body] size: height {:.4g} m, must be above twice the depth of the "
+                              "centre of buoyancy, {:.4g} m",
+                              run.body->size.z(), -2.0 * c.ship.centreOfBuoyancy.z()));
+    giveBody(c, *run.body);
+  } else {
+    refuse(run, run.database +
+                    " holds neither gyradii nor a hull: add [body] gyradii = [a, b, c] and size = "
+                    "[length, beam, height], or ship = \"ship.toml\" with both");
+  }
+  makeConsistent(c, run.database);
+}
+
+void requireSameLoading(const RunFile& run, const ShipParticulars& given,
+                        const ShipParticulars& solved) {
   const auto same = [](double a, double b) {
     return std::abs(a - b) <= 1e-6 * (1.0 + std::abs(b));
   };
-  const auto refuse = [&](const char* field) {
+  const auto differs = [&](const char* field) {
     throw HydroError(Fault::ValueOutOfRange, run.ship + ": [mass] " + field + ": differs from " +
                                                  run.database + "; solve again for this loading");
   };
-  if (!same(given.mass, solved.mass)) refuse("mass");
+  if (!same(given.mass, solved.mass)) differs("mass");
   for (int i = 0; i < 3; ++i) {
-    if (!same(given.cog[i], solved.cog[i])) refuse("cog");
-    if (!same(given.gyradii[i], solved.gyradii[i])) refuse("gyradii");
+    if (!same(given.cog[i], solved.cog[i])) differs("cog");
+    if (!same(given.gyradii[i], solved.gyradii[i])) differs("gyradii");
   }
-  coefficients.ship.supplementary = given.supplementary;
+}
+
+}  // namespace
+
+Coefficients readShipOfRun(RunFile& run) {
+  std::string warning;
+  Coefficients coefficients = readCoefficients(run.database, &warning);
+  warn(warning);
+  cutSpectrum(run, coefficients);
+  naming(run.path, [&] {
+    warnIfUnresolved(run.database, coefficients, run.highestOmega(coefficients.ship.gravity));
+  });
+  std::optional<ShipParticulars> given;
+  if (!run.ship.empty()) given = readShipFile(run.ship).particulars;
+  if (isForeign(coefficients)) {
+    completeForeign(run, given ? &*given : nullptr, coefficients);
+  } else if (run.body) {
+    refuse(run, "[body]: " + run.database + " holds hull and gyradii of its own");
+  } else if (given) {
+    requireSameLoading(run, *given, coefficients.ship);
+  }
+  if (given) coefficients.ship.supplementary = given->supplementary;
   return coefficients;
 }
 

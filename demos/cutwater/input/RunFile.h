@@ -1,7 +1,9 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "demos/cutwater/input/ForeignDatabase.h"
 #include "hydro/database/Coefficients.h"
 #include "hydro/forces/ShipSettings.h"
 #include "hydro/waves/SeaState.h"
@@ -27,6 +29,7 @@ struct RunFile {
   double phase = 0.0;         ///< [rad]
   Spectrum spectrum;
   SeaStateSettings sea;
+  std::optional<ForeignBody> body;  ///< [body]
   std::vector<WaveComponent> components;
 
   /// β of regular waves and mean β of spectra, relative to the initial course.
@@ -45,9 +48,10 @@ struct RunFile {
 RunFile readRunFile(const std::string& path);
 
 /// The run's database; if the run names a ship file, its supplementary terms replace the database's
-/// and its mass, centre of gravity and gyradii must be the database's own. Warns of waves that the
-/// panels do not resolve.
+/// and its mass, centre of gravity and gyradii must be the database's own. A database of another
+/// code is completed by that file's hull and gyradii, or by [body]. Warns of waves that the panels
+/// do not resolve; a spectrum that would end above the database by itself is cut there.
 /// @throws HydroError.
-Coefficients readShipOfRun(const RunFile& run);
+Coefficients readShipOfRun(RunFile& run);
 
 }  // namespace cutwater::command

@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <set>
 #include <sstream>
 
+#include "demos/cutwater/output/Messages.h"
+#include "demos/cutwater/output/OutputFile.h"
 #include "hydro/Errors.h"
 
 namespace cutwater::command {
@@ -40,6 +44,59 @@ std::string written(const toml::node& node) {
   return out.str();
 }
 
+// Names of tables and keys may have this many parts. toml++ walks deeper ones by recursion, which
+// a file of 200 kB could lead to the end of the stack.
+constexpr int kMostParts = 32;
+
+// Skips a text in quotes, of one line or of several; `at` is its first quote.
+std::size_t endOfText(std::string_view text, std::size_t at) {
+  const char quote = text[at];
+  const std::string three(3, quote);
+  const bool several = text.substr(at, 3) == three;
+  const std::string end = several ? three : std::string(1, quote);
+  for (std::size_t i = at + end.size(); i < text.size(); ++i) {
+    if (text[i] == '\\' && quote == '"') {
+      ++i;
+    } else if (text.substr(i, end.size()) == end) {
+      return i + end.size() - 1;
+    } else if (!several && text[i] == '\n') {
+      return i;
+    }
+  }
+  return text.size();
+}
+
+void checkDepth(const std::string& path, std::string_view text) {
+  int line = 1, dots = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"' || c == '\'') {
+      const std::size_t end = endOfText(text, i);
+      line += static_cast<int>(std::count(text.begin() + static_cast<std::ptrdiff_t>(i),
+                                          text.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
+      i = end;
+    } else if (c == '#') {
+      i = std::min(text.find('\n', i), text.size()) - 1;
+    } else if (c == '.') {
+      ++dots;
+    } else if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos) {
+      dots = 0;
+      if (c == '\n') ++line;
+    }
+    if (dots < kMostParts) continue;
+    throw HydroError(Fault::FileMalformed, fmt::format("{}: line {}: a name of more than {} parts",
+                                                       path, line, kMostParts));
+  }
+}
+
+std::string wholeFile(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file) throw HydroError(Fault::FileNotReadable, path + ": cannot be read");
+  return text.str();
+}
+
 std::vector<double> fromToStep(TomlSection range, double low, double high) {
   const double from = range.number("from", low, low, high);
   const double to = range.number("to", high, low, high);
@@ -48,11 +105,18 @@ std::vector<double> fromToStep(TomlSection range, double low, double high) {
     if (!range.has(key)) range.refuse(key, "is missing; a range is { from, to, step }");
   }
   range.finish();
+  constexpr double kMostSteps = 99999.0;
+  if (!(step > 0.0)) range.refuse("step", "must be above 0");
+  if (to < from) range.refuse("to", fmt::format("must not be below from = {}", from));
   const double count = std::round((to - from) / step);
-  if (!(step > 0.0) || to < from || count > 100000.0) {
-    range.refuse("step", "must be positive and divide from..to into at most 100000 values");
+  if (count > kMostSteps)
+    range.refuse("step", fmt::format("makes more than 100000 values; {:.6g} is the smallest",
+                                     std::ceil(1e9 * (to - from) / kMostSteps) / 1e9));
+  if (std::abs(from + count * step - to) > 1e-6 * step) {
+    const double nearest = from + count * step;
+    range.refuse("to", fmt::format("is not from + n step; the nearest is {:.10g}, or step = {:.6g}",
+                                   nearest, (to - from) / std::max(count, 1.0)));
   }
-  if (std::abs(from + count * step - to) > 1e-6 * step) range.refuse("to", "is not from + n·step");
   std::vector<double> values;
   for (int i = 0; i <= static_cast<int>(count); ++i) values.push_back(from + i * step);
   return values;
@@ -65,9 +129,9 @@ bool TomlSection::has(const std::string& key) const { return state_->find(key) !
 void TomlSection::refuse(const std::string& key, const std::string& reason) const {
   const toml::node* node = state_->find(key);
   const std::string where = state_->name.empty() ? "" : "[" + state_->name + "] ";
-  const std::string value = node == nullptr ? "" : " = " + written(*node);
-  throw HydroError(Fault::ValueOutOfRange,
-                   fmt::format("{}: {}{}{}: {}", state_->file, where, key, value, reason));
+  const std::string value = node == nullptr ? "" : " = " + shortened(written(*node));
+  throw HydroError(Fault::ValueOutOfRange, fmt::format("{}: {}{}{}: {}", state_->file, where,
+                                                       shortened(key), value, reason));
 }
 
 double TomlSection::number(const std::string& key, double fallback, double low, double high) {
@@ -110,6 +174,18 @@ std::string TomlSection::text(const std::string& key, const std::string& fallbac
     if (value == one) return value;
   }
   refuse(key, fmt::format("must be one of \"{}\"", fmt::join(allowed, "\", \"")));
+}
+
+std::string TomlSection::file(const std::string& key) {
+  namespace fs = std::filesystem;
+  const std::string name = text(key, "");
+  if (name.empty()) refuse(key, "must name a file");
+  const std::string path = (fs::path(state_->file).parent_path() / name).string();
+  std::error_code none;
+  if (fs::is_directory(path, none)) refuse(key, "is a folder, must be a file");
+  if (!fs::is_regular_file(path, none)) refuse(key, "there is no file " + shortened(path));
+  if (isOutput(path)) refuse(key, "is the file that -o names; it would be written over");
+  return path;
 }
 
 std::vector<std::string> TomlSection::texts(const std::string& key) {
@@ -222,21 +298,24 @@ void TomlSection::finish() const {
 }
 
 TomlFile::TomlFile(const std::string& path) : path_(path) {
-  if (!std::filesystem::is_regular_file(path)) {
-    throw HydroError(Fault::FileNotReadable, path + ": no such file");
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none)) {
+    const bool folder = std::filesystem::is_directory(path, none);
+    throw HydroError(Fault::FileNotReadable,
+                     path + (folder ? ": is a folder, must be a file" : ": no such file"));
   }
+  if (isOutput(path))
+    throw HydroError(Fault::FileNotWritable, path + ": is the file that -o names");
+  const std::string text = wholeFile(path);
+  checkDepth(path, text);
   try {
     root_ = TomlSection(std::make_shared<TomlSection::State>(
-        TomlSection::State{path, "", toml::parse_file(path), {}}));
+        TomlSection::State{path, "", toml::parse(text, path), {}}));
   } catch (const toml::parse_error& error) {
     throw HydroError(
         Fault::FileMalformed,
         fmt::format("{}: line {}: {}", path, error.source().begin.line, error.description()));
   }
-}
-
-std::string TomlFile::beside(const std::string& name) const {
-  return (std::filesystem::path(path_).parent_path() / name).string();
 }
 
 }  // namespace cutwater::command

@@ -20,6 +20,9 @@ class TomlSection {
   /// One of `allowed` (any text if empty).
   std::string text(const std::string& key, const std::string& fallback,
                    const std::vector<std::string>& allowed = {});
+  /// The file that `key` names, its path relative to this file's folder: it must exist, and not be
+  /// what the command writes.
+  std::string file(const std::string& key);
   /// A list of texts; empty if the key is absent.
   std::vector<std::string> texts(const std::string& key);
   /// A number, a list of numbers, or { from, to, step } with both ends; each in [low, high].
@@ -49,11 +52,10 @@ class TomlSection {
 /// A TOML file of top-level keys and tables.
 class TomlFile {
  public:
-  /// @throws HydroError FileNotReadable, FileMalformed with the line.
+  /// @throws HydroError FileNotReadable, FileMalformed with the line, FileNotWritable if it is what
+  ///         the command writes.
   explicit TomlFile(const std::string& path);
   const std::string& path() const { return path_; }
-  /// `name` beside this file: relative names are relative to the file that names them.
-  std::string beside(const std::string& name) const;
   /// The keys outside any table; its finish() also refuses tables nobody asked for.
   TomlSection& root() { return root_; }
   /// The table of that name; an empty one if absent.

@@ -3,19 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "demos/cutwater/output/OutputFile.h"
 #include "hydro/Conventions.h"
 #include "hydro/base/CsvRow.h"
 
 namespace cutwater::command {
-
-/// Writes `text` to stdout if `path` is empty; to a regular file (or what a link points at) under a
-/// temporary name first, then renamed; to a device or pipe as it is.
-/// @throws HydroError FileNotWritable.
-void writeText(const std::string& text, const std::string& path);
-
-/// Refuses a file that cannot be written, before work whose result it is to hold. @throws as
-/// writeText.
-void requireWritable(const std::string& path);
 
 /// A CSV table in memory: one header line, then rows; written whole or not at all.
 class Csv {

@@ -29,8 +29,26 @@ void warnOfResonances(const std::string& file, const Coefficients& coefficients)
   if (!line.empty()) warn(file + ": " + line);
 }
 
+std::string printable(std::string_view text, std::size_t most) {
+  std::string shown;
+  for (std::size_t i = 0; i < text.size() && i < most; ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : ' ');
+    // In UTF-8 the control characters from U+0080 on are C2 80 to C2 9F.
+    const bool control = byte < 0x20 || byte == 0x7F || (byte == 0xC2 && next < 0xA0);
+    shown += control ? fmt::format("\\x{:02x}", byte) : std::string(1, text[i]);
+  }
+  if (text.size() > most) shown += fmt::format("... ({} characters)", text.size());
+  return shown;
+}
+
+void say(const std::string& line) {
+  const std::string shown = printable(line) + "\n";
+  std::fputs(shown.c_str(), stderr);
+}
+
 void warn(const std::string& line) {
-  if (!line.empty()) fmt::print(stderr, "cutwater: warning: {}\n", line);
+  if (!line.empty()) say("cutwater: warning: " + line);
 }
 
 }  // namespace cutwater::command

@@ -25,8 +25,10 @@ void Progress::show(int done, int total) {
   shown_ = true;
   const int since = done - before_;
   const double left = since > 0 ? elapsed.count() * (total - done) / since : 0.0;
-  fmt::print(stderr, "{}{}: {}/{}, {:.0f} s, {:.0f} s left{}", terminal ? "\r\x1b[K" : "", what_,
-             done, total, elapsed.count(), left, terminal ? "" : "\n");
+  const std::string line =
+      fmt::format("{}{}: {}/{}, {:.0f} s, {:.0f} s left{}", terminal ? "\r\x1b[K" : "", what_, done,
+                  total, elapsed.count(), left, terminal ? "" : "\n");
+  std::fputs(line.c_str(), stderr);  // a stderr that is closed or full stops no work
   std::fflush(stderr);
 }
 
