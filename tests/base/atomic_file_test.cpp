@@ -56,6 +56,47 @@ TEST_F(AtomicFile, PipeIsWrittenAsItIs) {
   EXPECT_EQ(files(), 1);
 }
 
+TEST_F(AtomicFile, ModeIsKeptAndANewFileHasTheUsualOne) {
+  const fs::path path = folder / "file";
+  writeWhole(path, "first");
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  EXPECT_EQ(static_cast<unsigned>(fs::status(path).permissions()), 0666u & ~mask);
+  fs::permissions(path, fs::perms(0640));
+  writeWhole(path, "second");
+  EXPECT_EQ(fs::status(path).permissions(), fs::perms(0640));
+}
+
+// Of root as well, who could write it.
+TEST_F(AtomicFile, ReadOnlyFileIsRefused) {
+  const fs::path path = folder / "file";
+  writeWhole(path, "mine");
+  fs::permissions(path, fs::perms(0444));
+  fs::create_symlink("file", folder / "link");
+  for (const char* name : {"file", "link"}) {
+    EXPECT_THROW(writeWhole(folder / name, "other"), HydroError);
+    EXPECT_THROW(requireWritable(folder / name), HydroError);
+  }
+  EXPECT_EQ(textOf(path), "mine");
+  EXPECT_EQ(files(), 2);
+}
+
+TEST_F(AtomicFile, ADiskThatIsFullLeavesTheOldFile) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  EXPECT_THROW(writeWhole("/dev/full", "text"), HydroError);
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST_F(AtomicFile, WorkIsRefusedBeforeWhereItsResultWouldBe) {
+  EXPECT_NO_THROW(requireWritable(folder / "new"));
+  EXPECT_NO_THROW(requireWritable("new"));  // in the folder that we are in
+  EXPECT_NO_THROW(requireWritable("/dev/null"));
+  EXPECT_THROW(requireRegular("/dev/null"), HydroError);
+  for (const fs::path& path : {folder / "no" / "file", folder, fs::path()})
+    EXPECT_THROW(requireWritable(path), HydroError) << path;
+  EXPECT_EQ(files(), 0);
+}
+
 TEST_F(AtomicFile, RefusalNamesTheFileAndLeavesNothing) {
   fs::create_directory(folder / "folder");
   fs::create_symlink("nowhere", folder / "dangling");

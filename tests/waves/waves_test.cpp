@@ -176,13 +176,64 @@ TEST(SpectrumRegression, TheSameSeedIsTheSameSea) {
   EXPECT_EQ(a.elevation(12.3, 4.0, 5.0), b.elevation(12.3, 4.0, 5.0));
 }
 
-TEST(Spectrum, RefusesNonsenseNamingTheField) {
-  Spectrum spectrum;
-  spectrum.tp = -1.0;
-  EXPECT_THROW(makeSeaState(spectrum, {}), HydroError);
+// Bretschneider: ∫_0^ω S = (hs²/16) e^{−(5/4)(ω_p/ω)⁴}.
+TEST(SpectrumClosedForm, ShareOfEnergyBetweenTwoFrequencies) {
+  const Spectrum spectrum{.shape = SpectrumShape::Bretschneider, .hs = 2.5, .tp = 7.0};
+  const double peak = spectrum.peakFrequency();
+  const auto below = [](double ratio) { return std::exp(-1.25 * std::pow(ratio, -4.0)); };
+  for (const auto& [from, to] : {std::pair{0.5, 4.0}, {0.9, 1.1}, {2.0, 2.001}, {3.3, 29.0}}) {
+    const double share = shareOfEnergy(spectrum, from * peak, to * peak);
+    EXPECT_NEAR(share, below(to) - below(from), 1e-9);  // five Gauss points in cells of 0.02 ω_p
+  }
+  EXPECT_EQ(shareOfEnergy(spectrum, 3.0, 2.0), 0.0);
+  EXPECT_NEAR(shareOfEnergy(spectrum, 0.0, 1e9), 1.0, 2e-6);  // 30 ω_p is the end
+}
+
+TEST(SpectrumIdentity, ShareOfEnergyIsThatOfTheComponents) {
+  const Spectrum spectrum{.hs = 0.0, .tp = 7.0};  // a share has no height
+  const Spectrum high{.hs = 4.0, .tp = 7.0};      // m0 = 1
   SeaStateSettings settings;
-  settings.components = 0;
-  EXPECT_THROW(makeSeaState(Spectrum{}, settings), HydroError);
+  settings.omegaMin = 0.7;
+  settings.omegaMax = 1.9;
+  double energy = 0.0;
+  for (const WaveComponent& wave : makeSeaState(high, settings).components())
+    energy += 0.5 * wave.amplitude * wave.amplitude;
+  EXPECT_NEAR(shareOfEnergy(spectrum, 0.7, 1.9), energy, 1e-4);  // JONSWAP's σ jumps within a cell
+}
+
+TEST(Spectrum, RefusesNonsenseNamingTheField) {
+  using Change = void (*)(Spectrum&, SeaStateSettings&, double);
+  const struct {
+    const char* name;
+    Change set;
+    double absurd;
+  } fields[] = {
+      {"hs", [](auto& s, auto&, double x) { s.hs = x; }, 1e6},
+      {"tp", [](auto& s, auto&, double x) { s.tp = x; }, -1.0},
+      {"gamma", [](auto& s, auto&, double x) { s.gamma = x; }, 1e3},
+      {"gravity", [](auto& s, auto&, double x) { s.gravity = x; }, 0.0},
+      {"heading", [](auto&, auto& s, double x) { s.heading = x; }, std::nan("")},
+      {"spreading", [](auto&, auto& s, double x) { s.spreading = x; }, -1.0},
+      {"components", [](auto&, auto& s, double) { s.components = 0; }, 0.0},
+      {"omega_min", [](auto&, auto& s, double x) { s.omegaMin = x; }, -1.0},
+      {"omega_max", [](auto&, auto& s, double x) { s.omegaMax = x; }, 1e-3},
+      {"ramp", [](auto&, auto& s, double x) { s.ramp = x; }, -1.0},
+  };
+  for (const auto& field : fields) {
+    for (const double value : {std::nan(""), HUGE_VAL, -HUGE_VAL, field.absurd}) {
+      Spectrum spectrum;
+      SeaStateSettings settings;
+      field.set(spectrum, settings, value);
+      try {
+        makeSeaState(spectrum, settings);
+        ADD_FAILURE() << field.name << " = " << value << " was accepted";
+      } catch (const HydroError& error) {
+        EXPECT_NE(std::string(error.what()).find(std::string(field.name) + " = "),
+                  std::string::npos)
+            << error.what();
+      }
+    }
+  }
 }
 
 }  // namespace
