@@ -125,8 +125,8 @@ class BemioReader {
   /// @param j  from 0.  @param n  how many frequencies the dataset has; i is one of them.
   [[noreturn]] void notFinite(const std::string& name, std::size_t j, const std::string& column,
                               std::size_t n, std::size_t i) const {
-    const std::string at = n == 1 && c_.omega.size() != 1 ? std::string("infinity")
-                                                          : fmt::format("{:.6g} rad/s", c_.omega[i]);
+    const bool limit = n == 1 && c_.omega.size() != 1;
+    const std::string at = limit ? "infinity" : fmt::format("{:.6g} rad/s", c_.omega[i]);
     throw HydroError(Fault::ValueOutOfRange,
                      fmt::format("{}: {} is not finite at j = {}, {}, omega = {}", file_.path(),
                                  name, j + 1, column, at));

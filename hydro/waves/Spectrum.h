@@ -43,8 +43,7 @@ struct SeaStateSettings {
   double ramp = 0.0;      ///< [s]
 };
 
-/// ω [rad/s] from which and up to which a sea has components: those given, or those that follow from
-/// ω_p.
+/// ω [rad/s] from which and up to which a sea has components: as given, or as ω_p has it.
 std::pair<double, double> cutOffs(const Spectrum& spectrum, const SeaStateSettings& settings);
 
 /// Share of m0 = hs²/16 between two frequencies [rad/s], 0..1, to 1e-3.

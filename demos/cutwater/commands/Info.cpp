@@ -24,6 +24,7 @@ void list(Csv& csv, const std::string& name, const std::string& value, const std
        i += 2) {
     cell.replace(i, 1, cell[i] == '"' ? "\"\"" : "; ");
   }
+  cell = printable(cell, cell.size());  // texts of a file, perhaps of another code
   csv.line(name + "," + (quoted ? "\"" + cell + "\"" : cell) + "," + unit);
 }
 

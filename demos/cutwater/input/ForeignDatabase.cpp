@@ -11,6 +11,7 @@
 #include "hydro/finish/ConsistentLimit.h"
 #include "hydro/finish/GridNeeds.h"
 #include "hydro/geometry/shapes/Shapes.h"
+#include "hydro/memory/Resonances.h"
 
 namespace cutwater::command {
 
@@ -69,6 +70,24 @@ std::string scatterOf(const Coefficients& c, const RetardationMatrix& memory,
       worst.name(), omega, 100.0 * worst.share);
 }
 
+/// As `finish` does (decision 0072): narrow peaks on a grid that suffices otherwise are named.
+bool letsThroughResonances(const Coefficients& c, const RetardationMatrix& memory,
+                           const ConsistentLimit& limit, const GridNeeds& grid,
+                           const std::string& file) {
+  if (limit.trusted || !grid.suffices() || limit.medianDistance >= kLargestMedianDistance)
+    return false;
+  std::string places;
+  for (const Resonance& one : resonances(c, memory, limit.median))
+    places += fmt::format("{}{} near {:.3g}", places.empty() ? "" : ", ", kModeNames[one.mode],
+                          one.omega);
+  if (places.empty()) return false;
+  warn(
+      fmt::format("{}: {}: resonances narrower than the steps of simulation_parameters/w: {} "
+                  "rad/s. There motions in the time domain are not right",
+                  file, kBoth, places));
+  return true;
+}
+
 std::string distanceOf(const Coefficients& c, const ConsistentLimit& limit) {
   const Worst worst(c.addedMass.atInfinity, limit.addedMassInf);
   return fmt::format("{}: {}(inf) = {:.4g}, but {} give {:.4g}", kLimit, worst.name(),
@@ -100,15 +119,12 @@ void makeConsistent(Coefficients& c, const std::string& file) {
   const ConsistentLimit limit = consistentLimit(c, memory);
   const GridNeeds grid(c);
   const std::vector<std::string> advice = grid.advice();
-  const bool narrow = grid.suffices() && limit.medianDistance < kLargestMedianDistance;
-  if (limit.scatter >= kLargestScatter && !narrow)
-    refuse(file, fmt::format("{}{}{}", scatterOf(c, memory, limit), advice.empty() ? "" : "; ",
-                             fmt::join(advice, "; ")));
-  if (limit.scatter >= kLargestScatter)
-    warn(file + ": " + scatterOf(c, memory, limit) +
-         ": a resonance narrower than the steps of simulation_parameters/w? There motions in the "
-         "time domain are not right");
-  if (limit.distance >= kLargestDistance && !narrow) refuse(file, distanceOf(c, limit));
+  if (!letsThroughResonances(c, memory, limit, grid, file)) {
+    if (limit.scatter >= kLargestScatter)
+      refuse(file, fmt::format("{}{}{}", scatterOf(c, memory, limit), advice.empty() ? "" : "; ",
+                               fmt::join(advice, "; ")));
+    if (limit.distance >= kLargestDistance) refuse(file, distanceOf(c, limit));
+  }
   for (const std::string& line : advice) warn(file + ": simulation_parameters/w: " + line);
 }
 
