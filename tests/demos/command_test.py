@@ -769,6 +769,7 @@ class Foreign(Files):
         self.refused(["sweep", self.run_file()], *words)
         self.refused(["simulate", self.run_file(waves="omega = 0.6")], *words)
         self.refused(["retardation", database, "--dt", "0.1", "--duration", "9"], *words)
+        self.refused(["rao", database, "--heading", "180"], "plain.h5", "gyration", "--gyradii")
         done = call("rao", database, "--heading", "180", "--gyradii", "5.82,28.8,28.8")
         self.assertEqual(done.returncode, 0, done.stderr)
         for word in words:

@@ -44,14 +44,17 @@ void rao(const std::string& database, const WaveOptions& options, const LoadingO
                                  cog.value_or(ship.cog), gyradii.value_or(ship.gyradii));
     });
   }
-  const FrequencyResponse response(coefficients, {}, options.moving.form(coefficients));
+  std::optional<FrequencyResponse> response;
+  naming(database, [&] {
+    response.emplace(coefficients, std::array<bool, 6>{}, options.moving.form(coefficients));
+  });
   const double heading = headingRadians(options.headingDeg), speed = options.moving.speed;
   Csv csv("omega,omega_e,j,amplitude,phase_deg");
   int slow = 0;
   const auto add = [&](double omega) {
     const double met = encounterFrequency(omega, speed, heading, coefficients.ship.gravity);
     if (speed != 0.0 && std::abs(met) < kLeastEncounterFrequency) ++slow;
-    const CVec6 eta = motion(response, omega, heading, speed);
+    const CVec6 eta = motion(*response, omega, heading, speed);
     for (int j = 0; j < 6; ++j) {
       csv.row({omega, met, j + 1.0, std::abs(eta[j]), phaseDegrees(eta[j])});
     }
