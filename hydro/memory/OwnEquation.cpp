@@ -182,8 +182,8 @@ class OwnEquation::AtSpeed {
     return {};
   }
 
-  /// The motion e^{st} and its cause: of the modes without which it would not grow, the one with the
-  /// largest share of the kinetic energy. (A slow turn drags a heel along, a slow dive a surge.)
+  /// The motion e^{st} and its cause: of the modes without which it would not grow, the one with
+  /// the largest share of the kinetic energy. A slow turn drags a heel along, a slow dive a surge.
   GrowingMotion motionAt(Complex s) const {
     const std::vector<int> order = byEnergy(s);
     for (const int mode : order) {

@@ -182,7 +182,7 @@ TEST_F(CoefficientsFile, ChangedNumberIsRefusedWhereverItStands) {
 
 TEST_F(CoefficientsFile, NewerVersionIsRefused) {
   writeCoefficients(sampleShip(), path());
-  Edit(path()).version(4);
+  Edit(path()).version(kFormatVersion + 1);
   EXPECT_EQ(faultOf(path()), Fault::VersionNotSupported);
 }
 

@@ -208,16 +208,15 @@ class ForwardSpeed(Files):
         self.assertEqual(done.stderr.count("\n"), 1)
         self.assertIn("0.1 rad/s", done.stderr)
 
-    def test_reports_form_where_the_database_has_it(self):
+    def test_the_form_of_the_file_is_the_default(self):
         names = {row["name"]: row["value"] for row in table("info", DATABASE)}
-        self.assertEqual(names["forward_speed"], "report")
-        if names["adjoint_vectors_dx"] == "1":
-            rows = table("rao", DATABASE, "--speed", "8", "--heading", "180", "--omega",
-                         "0.2:0.3:2")
-            self.assertAlmostEqual(float(rows[2]["amplitude"]), 1, delta=0.1)
-        else:
-            self.refused(["rao", DATABASE, "--speed", "8", "--heading", "180"], "frigate.h5",
-                         "speed = 8")
+        self.assertEqual(names["forward_speed"], "tuck")
+        self.assertEqual(names["adjoint_vectors_dx"], "0")
+        moving = ["rao", DATABASE, "--speed", "8", "--heading", "180", "--omega", "0.2:0.3:2"]
+        rows = table(*moving)
+        self.assertEqual(rows, table(*moving, "--form", "tuck"))
+        self.assertAlmostEqual(float(rows[2]["amplitude"]), 1, delta=0.1)
+        self.refused([*moving, "--form", "report"], "frigate.h5", "forward_speed")
 
     def test_a_table_of_one_form_is_not_read_as_the_other(self):
         ship = self.path("s.toml", SHIP + """[solve]
@@ -910,7 +909,10 @@ class Errors(Files):
         for bad in ("1", "1:2", "a:b:c", "2:1:5", "0:1:5", "0.1:1:0", "0.1:1:2.5"):
             self.refused(["rao", DATABASE, "--heading", "0", "--omega", bad], "--omega", bad,
                          code=2)
-        self.refused(["rao", DATABASE, "--heading", "0", "--speed", "-3"], "speed", "-3", code=2)
+        self.refused(["rao", DATABASE, "--heading", "0", "--speed", "-300"], "speed", "-300",
+                     code=2)
+        self.refused(["rao", DATABASE, "--heading", "0", "--speed", "-3", "--form", "report"],
+                     "speed -3", "tuck", code=2)
         self.refused(["rao", DATABASE, "--heading", "800"], "--heading 800", code=2)
         self.refused(["coefficients", DATABASE, "--speed", "nan"], "speed", "nan", code=2)
         self.refused(["retardation", DATABASE, "--dt", "2", "--duration", "1"], "--dt 2", code=2)
