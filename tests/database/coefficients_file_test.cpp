@@ -1,6 +1,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "hydro/database/CutwaterGroup.h"
 #include "tests/database/FileTest.h"
 
 // Our own file: every bit comes back, and what is damaged or not ours is refused.
