@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hydro/database/BemioLayout.h"
+
 namespace cutwater {
 
 namespace {
-
-constexpr const char* kHydro = "body1/hydro_coeffs/";
 
 /// What added mass of a mode is measured by: ρV, and ρV^{5/3} of a rotation.
 double massOf(const ShipParticulars& ship, int mode) {
@@ -29,7 +29,7 @@ std::string missingLimits(const Coefficients& c) {
   return fmt::format(
       "{}added_mass/inf_freq is 0 for {}, but added_mass/all is not: A(inf) was not "
       "computed",
-      kHydro, modes);
+      kBemioCoefficients, modes);
 }
 
 /// Damping that takes more than 1 % of its largest value out of the water feeds a motion, which
@@ -46,8 +46,9 @@ std::string negativeDamping(const Coefficients& c, int j) {
     if (++count <= 4) at += fmt::format("{}{:.6g}", count > 1 ? ", " : "", c.omega[i]);
   }
   if (count == 0) return {};
-  return fmt::format("{}radiation_damping/all: B_{}{} < 0 at omega = {}{} rad/s", kHydro, j + 1,
-                     j + 1, at, count > 4 ? fmt::format(" and {} more", count - 4) : "");
+  return fmt::format("{}radiation_damping/all: B_{}{} < 0 at omega = {}{} rad/s",
+                     kBemioCoefficients, j + 1, j + 1, at,
+                     count > 4 ? fmt::format(" and {} more", count - 4) : "");
 }
 
 }  // namespace

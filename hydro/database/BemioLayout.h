@@ -14,6 +14,9 @@
 ///     X_origin = X_G e^{−ik(x_G cos β − y_G sin β)}
 namespace cutwater {
 
+/// Group of the body's coefficients.
+inline constexpr const char* kBemioCoefficients = "body1/hydro_coeffs/";
+
 void writeBemio(hdf5::Writer& writer, const Coefficients& coefficients,
                 const ImpulseResponse& retardation);
 

@@ -16,7 +16,6 @@ using hdf5::Array;
 using hdf5::Shape;
 
 constexpr const char* kParameters = "simulation_parameters/";
-constexpr const char* kHydro = "body1/hydro_coeffs/";
 constexpr const char* kExcitation = "body1/hydro_coeffs/excitation/";
 
 class BemioReader {
@@ -92,7 +91,7 @@ class BemioReader {
     ship.mass = ship.density * ship.volume;
     ship.gyradii = Vec3::Zero();
     // Symmetric for a free body, so a MATLAB writer's transposition does not matter.
-    const Array c = numbers(std::string(kHydro) + "linear_restoring_stiffness", 36);
+    const Array c = numbers(std::string(kBemioCoefficients) + "linear_restoring_stiffness", 36);
     for (int i = 0; i < 36; ++i) {
       ship.restoring(i / 6, i % 6) =
           c.data[static_cast<std::size_t>(i)] * ship.density * ship.gravity;
@@ -133,7 +132,7 @@ class BemioReader {
   }
 
   void readRadiation() {
-    const std::string group = kHydro;
+    const std::string group = kBemioCoefficients;
     const double rho = c_.ship.density;
     const std::size_t n = c_.omega.size();
     const auto byDensity = [rho](std::size_t) { return rho; };

@@ -12,7 +12,7 @@ namespace cutwater {
 
 namespace {
 
-constexpr int kSpeeds = 12;
+constexpr int kSteps = 12;
 constexpr double kSlowSurge = 5.0;  // of OwnEquation::least
 
 bool isCourse(const GrowingMotion& motion) { return motion.mode == Sway || motion.mode == Yaw; }
@@ -29,8 +29,8 @@ const GrowingMotion* outsideTheory(const std::vector<GrowingMotion>& growing, do
 /// The lowest of some speeds from 0 to `last` at which `grows`, to a thousandth of `last`.
 std::optional<double> lowestSpeed(double last, const std::function<bool(double)>& grows) {
   double stable = 0.0;
-  for (int n = 0; n <= kSpeeds; ++n) {
-    double unstable = last * n / kSpeeds;
+  for (int n = 0; n <= kSteps; ++n) {
+    double unstable = last * n / kSteps;
     if (!grows(unstable)) {
       stable = unstable;
       continue;

@@ -50,7 +50,9 @@ function(run_tidy)
   file(WRITE ${BUILD}/tidy/compile_commands.json "${chosen}")
   execute_process(COMMAND ${RUN_CLANG_TIDY} -quiet -p ${BUILD}/tidy -j ${JOBS} -extra-arg=-w
                   OUTPUT_VARIABLE said ERROR_VARIABLE complained RESULT_VARIABLE result)
-  set(said "${said}\n${complained}" PARENT_SCOPE)
+  string(ASCII 27 escape)
+  string(REGEX REPLACE "${escape}\\[[0-9;]*m" "" said "${said}\n${complained}")  # colours
+  set(said "${said}" PARENT_SCOPE)
   set(result ${result} PARENT_SCOPE)
 endfunction()
 
