@@ -196,7 +196,8 @@ TEST(SpectrumIdentity, ShareOfEnergyIsThatOfTheComponents) {
   settings.omegaMin = 0.7;
   settings.omegaMax = 1.9;
   double energy = 0.0;
-  for (const WaveComponent& wave : makeSeaState(high, settings).components())
+  const SeaState sea = makeSeaState(high, settings);
+  for (const WaveComponent& wave : sea.components())
     energy += 0.5 * wave.amplitude * wave.amplitude;
   EXPECT_NEAR(shareOfEnergy(spectrum, 0.7, 1.9), energy, 1e-4);  // JONSWAP's σ jumps within a cell
 }
