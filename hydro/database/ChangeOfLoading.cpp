@@ -124,6 +124,7 @@ Coefficients withLoading(const Coefficients& coefficients, double mass, const Ve
   c.ship.mass = mass;
   c.ship.cog = cog;
   c.ship.gyradii = gyradii;
+  c.stability = {};  // was of the loading before
   const Vec3 d = cog - before.cog;
   if (d.isZero(0.0)) return c;
   const Shifted shift(shiftMatrix(d), d, before.gravity);

@@ -1,5 +1,6 @@
 #include "hydro/ship/ShipParticulars.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cutwater {
@@ -20,7 +21,8 @@ double lengthOf(const SurfaceMesh& mesh) {
 }  // namespace
 
 double ShipParticulars::length() const {
-  return wetSurface.vertices.empty() ? 5.0 * std::cbrt(volume) : lengthOf(wetSurface);
+  return wetSurface.vertices.empty() ? 5.0 * std::cbrt(std::max(volume, 1e-9))
+                                     : lengthOf(wetSurface);
 }
 
 double ShipParticulars::lengthOverall() const {

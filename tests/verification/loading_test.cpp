@@ -95,6 +95,14 @@ TEST(LoadingIdentity, TablesOfDiffractionForcesMoveWithTheForcesThemselves) {
   }
 }
 
+TEST(Loading, WhatWasFoundOfTheLoadingBeforeIsForgotten) {
+  Coefficients ship;
+  ship.ship = box({0.0, 0.0, 1.0}, false);
+  ship.stability.checkedTo = 10.0;
+  const ShipParticulars& is = ship.ship;
+  EXPECT_EQ(withLoading(ship, is.mass, is.cog, 1.1 * is.gyradii).stability.checkedTo, 0.0);
+}
+
 TEST(Loading, RefusesWhatFloatsOnAnotherWaterline) {
   Coefficients ship;
   ship.ship = box({0.0, 0.0, 1.0}, false);
