@@ -12,6 +12,17 @@
 #include "hydro/Errors.h"
 
 namespace cutwater {
+
+int writeAll(int file, std::string_view bytes) noexcept {
+  while (!bytes.empty()) {
+    const ssize_t put = ::write(file, bytes.data(), bytes.size());
+    if (put < 0 && errno == EINTR) continue;
+    if (put <= 0) return put < 0 ? errno : EIO;
+    bytes.remove_prefix(static_cast<std::size_t>(put));
+  }
+  return 0;
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,17 +65,6 @@ Target targetOf(const std::string& path) {
   const fs::path real = fs::canonical(path, error);
   if (error) refuse(path, error.message());
   return {.path = real.string(), .exists = true, .mode = there.st_mode & 0777};
-}
-
-/// 0, or the error.
-int writeAll(int file, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t put = ::write(file, text.data(), text.size());
-    if (put < 0 && errno == EINTR) continue;
-    if (put <= 0) return put < 0 ? errno : EIO;
-    text.remove_prefix(static_cast<std::size_t>(put));
-  }
-  return 0;
 }
 
 /// What cannot be synced (EINVAL) is no file on a disk.

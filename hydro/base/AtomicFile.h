@@ -18,4 +18,7 @@ void requireWritable(const std::string& path);
 /// requireWritable, and `path` is not a pipe or a device. @throws as writeWhole.
 void requireRegular(const std::string& path);
 
+/// Writes all of `bytes` to a file that is open.  @return 0, or errno.
+int writeAll(int file, std::string_view bytes) noexcept;
+
 }  // namespace cutwater

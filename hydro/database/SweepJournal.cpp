@@ -12,6 +12,7 @@
 #include <filesystem>
 
 #include "hydro/Errors.h"
+#include "hydro/base/AtomicFile.h"
 #include "hydro/base/Fnv1a.h"
 
 namespace cutwater {
@@ -60,17 +61,6 @@ std::string asidePath(const std::string& path, std::uint64_t key) {
   return path + digits;
 }
 
-bool writeAll(int file, const void* from, std::size_t bytes) {
-  const auto* at = static_cast<const char*>(from);
-  while (bytes > 0) {
-    const ssize_t put = ::write(file, at, bytes);
-    if (put <= 0) return false;
-    at += put;
-    bytes -= static_cast<std::size_t>(put);
-  }
-  return true;
-}
-
 }  // namespace
 
 SweepJournal::SweepJournal(const std::string& path, std::uint64_t key, std::size_t size)
@@ -89,6 +79,10 @@ SweepJournal::~SweepJournal() { ::close(file_); }
 
 void SweepJournal::refuse(const char* why) const {
   throw HydroError(Fault::FileNotWritable, path_ + ": cannot be written: " + why);
+}
+
+void SweepJournal::put(std::string_view bytes) const {
+  if (const int error = writeAll(file_, bytes); error != 0) refuse(std::strerror(error));
 }
 
 /// A link is not followed and a pipe not waited for: its name can be foreseen by anybody.
@@ -132,9 +126,9 @@ void SweepJournal::load(std::uint64_t key) {
                      path_ + ": not the journal of a sweep; move it out of the way");
   off_t end = sizeof header;
   if (got < sizeof header || header.key != key || header.size != size_) {
-    if (::ftruncate(file_, 0) != 0 || ::lseek(file_, 0, SEEK_SET) != 0 ||
-        !writeAll(file_, &wanted, sizeof wanted))
+    if (::ftruncate(file_, 0) != 0 || ::lseek(file_, 0, SEEK_SET) != 0)
       refuse(std::strerror(errno));
+    put({reinterpret_cast<const char*>(&wanted), sizeof wanted});
     return;
   }
   std::uint64_t index = 0, sum = 0;
@@ -155,7 +149,7 @@ void SweepJournal::append(std::uint64_t index, std::span<const double> numbers) 
   std::memcpy(record.data(), &index, sizeof index);
   std::memcpy(record.data() + sizeof index, numbers.data(), numbers.size_bytes());
   std::memcpy(record.data() + sizeof index + numbers.size_bytes(), &sum, sizeof sum);
-  if (!writeAll(file_, record.data(), record.size())) refuse(std::strerror(errno));
+  put(record);
 }
 
 }  // namespace cutwater

@@ -3,6 +3,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cutwater {
@@ -35,6 +36,7 @@ class SweepJournal {
   void open();
   void makeWayFor(std::uint64_t key);
   void load(std::uint64_t key);
+  void put(std::string_view bytes) const;
   [[noreturn]] void refuse(const char* why) const;
 
   std::string path_;

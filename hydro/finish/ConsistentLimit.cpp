@@ -85,6 +85,7 @@ ConsistentLimit consistentLimit(const Coefficients& c, const RetardationMatrix& 
   }
   limit.distance = largest(direct - limit.addedMassInf, size);
   limit.trusted = limit.scatter < kLargestScatter && limit.distance < kLargestDistance;
+  if (limit.trusted) return limit;
   limit.median = medianOf(limitsOf(c, memory));
   limit.medianDistance = largest(direct - limit.median, size);
   return limit;

@@ -21,6 +21,7 @@ struct ConsistentLimit {
 
   /// For data with resonances narrower than the steps (memory/Resonances.h), whose values near them
   /// are far off: the median over all resolved frequencies, entry by entry; its distance as above.
+  /// Zero if the limit is trusted.
   Mat6 median = Mat6::Zero();
   double medianDistance = 0.0;
 };

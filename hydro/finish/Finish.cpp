@@ -5,7 +5,6 @@
 #include "hydro/finish/ConsistentLimit.h"
 #include "hydro/finish/GridNeeds.h"
 #include "hydro/finish/Mask.h"
-#include "hydro/memory/Resonances.h"
 
 namespace cutwater {
 
@@ -18,14 +17,6 @@ void symmetrise(Coefficients& c) {
   for (auto* matrices : {&c.addedMass, &c.damping}) {
     for (Mat6& m : *matrices) m = (0.5 * (m + m.transpose())).eval();
   }
-}
-
-/// What keeps A(∞) from being trusted is resonances, between the hulls of a catamaran say, which no
-/// usual grid follows.
-bool onlyResonates(const Coefficients& c, const RetardationMatrix& memory,
-                   const ConsistentLimit& limit) {
-  return limit.medianDistance < kLargestMedianDistance && !negativeDamping(c) &&
-         !resonances(c, memory, limit.median).empty();
 }
 
 void setUnfinished(Coefficients& c, std::string reason) {
@@ -50,11 +41,14 @@ Coefficients finish(SolverOutput output) {
   if (limit.trusted && grid.leastCount) {
     continueConsistently(c, memory, limit.addedMassInf);
     c.status = CoefficientStatus::Finished;
-  } else if (grid.suffices() && onlyResonates(c, memory, limit)) {
+    return c;
+  }
+  const auto negative = negativeDamping(c);
+  if (!negative && !hinderingResonances(c, memory, limit, grid).empty()) {
     continueConsistently(c, memory, limit.median);
     c.status = CoefficientStatus::Finished;
   } else {
-    setUnfinished(c, unfinishedReason(grid, limit, negativeDamping(c)));
+    setUnfinished(c, unfinishedReason(grid, limit, negative));
   }
   return c;
 }

@@ -69,6 +69,14 @@ std::vector<std::string> GridNeeds::advice() const {
   return lines;
 }
 
+std::vector<Resonance> hinderingResonances(const CoefficientTables& c,
+                                           const RetardationMatrix& memory,
+                                           const ConsistentLimit& limit, const GridNeeds& grid) {
+  if (limit.trusted || !grid.suffices() || !(limit.medianDistance < kLargestMedianDistance))
+    return {};
+  return resonances(c, memory, limit.median);
+}
+
 std::optional<NegativeDamping> negativeDamping(const CoefficientTables& c) {
   constexpr double kRoundOff = -0.01;
   std::optional<NegativeDamping> worst;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "hydro/finish/ConsistentLimit.h"
+#include "hydro/memory/Resonances.h"
 
 namespace cutwater {
 
@@ -30,6 +31,12 @@ struct GridNeeds {
   /// What is wrong with the grid and what would do; empty if it meets both needs.
   std::vector<std::string> advice() const;
 };
+
+/// The resonances that alone keep a limit from being trusted, on a grid that suffices otherwise:
+/// then its median is taken (decision 0072). Empty if anything else does so too.
+std::vector<Resonance> hinderingResonances(const CoefficientTables& coefficients,
+                                           const RetardationMatrix& memory,
+                                           const ConsistentLimit& limit, const GridNeeds& grid);
 
 /// The most negative diagonal damping below `resolvedOmega`, which no real ship has.
 struct NegativeDamping {

@@ -1,7 +1,6 @@
 #include "hydro/forces/Hydrodynamics.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "hydro/Errors.h"
 #include "hydro/database/CoefficientsFile.h"

@@ -49,23 +49,22 @@ std::vector<Resonance> resonances(const CoefficientTables& c, const RetardationM
   return found;
 }
 
+std::string listed(const std::vector<Resonance>& resonances) {
+  std::string text;
+  for (std::size_t i = 0; i < resonances.size(); ++i) {
+    const bool same = i > 0 && resonances[i].omega == resonances[i - 1].omega;
+    if (!same) text += fmt::format("{}{:.3g} (", i > 0 ? "), " : "", resonances[i].omega);
+    text += fmt::format("{}{}", same ? ", " : "", kModeNames[resonances[i].mode]);
+  }
+  return text.empty() ? "" : text + ")";
+}
+
 std::string resonanceWarning(const Coefficients& c) {
   if (c.status != CoefficientStatus::Finished) return {};
-  std::string places;
-  double before = 0.0;
-  for (const Resonance& r : resonances(c, RetardationMatrix(c), c.addedMass.atInfinity)) {
-    if (r.omega != before) {
-      if (before > 0.0) places += "), ";
-      places += fmt::format("{:.3g} (", r.omega);
-    } else {
-      places += ", ";
-    }
-    places += kModeNames[r.mode];
-    before = r.omega;
-  }
+  const std::string places = listed(resonances(c, RetardationMatrix(c), c.addedMass.atInfinity));
   if (places.empty()) return {};
   return fmt::format(
-      "the water resonates in peaks narrower than the steps of the frequency grid, at {}) rad/s; "
+      "the water resonates in peaks narrower than the steps of the frequency grid, at {} rad/s; "
       "near these frequencies motions in the time domain are not right",
       places);
 }

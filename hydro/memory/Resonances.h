@@ -22,6 +22,9 @@ struct Resonance {
 std::vector<Resonance> resonances(const CoefficientTables& coefficients,
                                   const RetardationMatrix& memory, const Mat6& addedMassInf);
 
+/// As text: "1.5 (sway, roll), 2 (heave)", frequencies in rad/s; "" if there are none.
+std::string listed(const std::vector<Resonance>& resonances);
+
 /// The resonances of finished coefficients in one line; "" if there are none. Motions near them are
 /// not right in the time domain.
 std::string resonanceWarning(const Coefficients& coefficients);

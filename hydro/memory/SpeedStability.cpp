@@ -80,17 +80,20 @@ SpeedStability speedStability(const CoefficientTables& c, const RadiationModel& 
   return found;
 }
 
+std::string describe(const GrowthLimit& limit, bool astern) {
+  return fmt::format("unstable above {:.3g} m/s{} in {}", limit.speed.value(),
+                     astern ? " astern" : "", kModeNames[limit.mode]);
+}
+
 std::vector<std::string> describe(const SpeedStability& stability) {
   std::vector<std::string> lines;
-  const auto add = [&](const GrowthLimit& limit, const char* astern) {
+  const auto add = [&](const GrowthLimit& limit, bool astern) {
     if (limit.speed)
-      lines.push_back(
-          fmt::format("unstable above {:.3g} m/s{} in {}: there the terms of forward speed feed "
-                      "the ship energy",
-                      *limit.speed, astern, kModeNames[limit.mode]));
+      lines.push_back(describe(limit, astern) +
+                      ": there the terms of forward speed feed the ship energy");
   };
-  add(stability.ahead, "");
-  add(stability.astern, " astern");
+  add(stability.ahead, false);
+  add(stability.astern, true);
   if (stability.course)
     lines.push_back(fmt::format(
         "does not keep its course by itself from {:.3g} m/s on, lift of the hull included",

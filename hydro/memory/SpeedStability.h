@@ -19,6 +19,8 @@ SpeedStability speedStability(const CoefficientTables& coefficients, const Radia
 /// The last speed to look at unless another is asked for: Fn 0.6.
 double lastSpeedToCheck(const ShipParticulars& ship);
 
+/// "unstable above 7.4 m/s in pitch", of a limit that has a speed.
+std::string describe(const GrowthLimit& limit, bool astern);
 /// What was found, a line each, beginning with "unstable above" or "does not keep its course".
 std::vector<std::string> describe(const SpeedStability& stability);
 

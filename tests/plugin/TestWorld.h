@@ -13,6 +13,16 @@ namespace cutwater::test {
 inline constexpr bool kDouble = sizeof(btScalar) == sizeof(double);
 /// One unit in the last place of a velocity of 1 m/s as Bullet stores it.
 inline constexpr double kEpsilon = std::numeric_limits<btScalar>::epsilon();
+/// A debug drawer that is asked for lines alone.
+struct LineDrawer : btIDebugDraw {
+  void drawContactPoint(const btVector3&, const btVector3&, btScalar, int,
+                        const btVector3&) override {}
+  void reportErrorWarning(const char*) override {}
+  void draw3dText(const btVector3&, const char*) override {}
+  void setDebugMode(int) override {}
+  int getDebugMode() const override { return DBG_DrawWireframe; }
+};
+
 /// For names of results: which Bullet.
 inline std::string withPrecision(const std::string& quantity) {
   return quantity + (kDouble ? ", double Bullet" : ", float Bullet");

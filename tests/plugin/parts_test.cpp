@@ -65,17 +65,11 @@ class Float final : public ForceGenerator {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // Keeps the arrows that begin in a ship's centre of gravity.
-struct Arrows final : btIDebugDraw {
+struct Arrows final : LineDrawer {
   explicit Arrows(const Ship& ship) : middle(toBullet(ship.position())) {}
   void drawLine(const btVector3& from, const btVector3& to, const btVector3&) override {
     if (from == middle) arrows.push_back(fromBullet(to - from));
   }
-  void drawContactPoint(const btVector3&, const btVector3&, btScalar, int,
-                        const btVector3&) override {}
-  void reportErrorWarning(const char*) override {}
-  void draw3dText(const btVector3&, const char*) override {}
-  void setDebugMode(int) override {}
-  int getDebugMode() const override { return DBG_DrawWireframe; }
   btVector3 middle;
   std::vector<Vec3> arrows;
 };

@@ -110,17 +110,11 @@ TEST(Seaway, ShipsComeAndGoWhileItRuns) {
 }
 
 // Counts what it is asked to draw.
-struct Pen final : btIDebugDraw {
+struct Pen final : LineDrawer {
   void drawLine(const btVector3& from, const btVector3& to, const btVector3&) override {
     ++lines;
     finite = finite && std::isfinite(from.x() + from.y() + from.z() + to.x() + to.y() + to.z());
   }
-  void drawContactPoint(const btVector3&, const btVector3&, btScalar, int,
-                        const btVector3&) override {}
-  void reportErrorWarning(const char*) override {}
-  void draw3dText(const btVector3&, const char*) override {}
-  void setDebugMode(int) override {}
-  int getDebugMode() const override { return DBG_DrawWireframe; }
   int lines = 0;
   bool finite = true;
 };

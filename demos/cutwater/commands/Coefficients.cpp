@@ -15,9 +15,7 @@ OverFrequency<Mat6> slopes(const Coefficients& c, const OverFrequency<Mat6>& sol
   if (!solved.empty() || c.forwardSpeed == ForwardSpeedForm::Report) return solved;
   OverFrequency<Mat6> found = quantity;
   const Mat6 T = tuckMatrix();
-  for (Mat6& m : found) m = T * m;
-  found.atZero = T * quantity.atZero;
-  found.atInfinity = T * quantity.atInfinity;
+  found.forEach([&](Mat6& m) { m = (T * m).eval(); });
   return found;
 }
 

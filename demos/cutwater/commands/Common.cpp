@@ -14,6 +14,8 @@ namespace cutwater::command {
 
 namespace {
 
+constexpr double kFarthest = 1e6;  // [m]
+
 /// The finite number that text[from, to) is.
 std::optional<double> number(const std::string& text, std::size_t from, std::size_t to) {
   double value = 0.0;
@@ -29,6 +31,23 @@ double part(const std::string& range, std::size_t from, std::size_t to) {
     throw UsageError("--omega " + shortened(range) + ": must be A:B:N, for instance 0.2:2:37");
   }
   return *value;
+}
+
+// The report's form needs x-derivatives, and holds ahead only.
+void requireReportForm(const std::string& path, const SpeedOptions& moving,
+                       const Coefficients& coefficients) {
+  if (moving.speed < 0.0) {
+    throw UsageError(
+        fmt::format("--speed {}: astern with --form tuck only, as the report's form of "
+                    "the speed terms drives a ship astern",
+                    moving.speed));
+  }
+  if (coefficients.addedMassX.empty() && moving.speed != 0.0) {
+    throw HydroError(Fault::DatabaseIncomplete,
+                     path +
+                         ": --form report needs x-derivatives, which are not in the file; solve "
+                         "with forward_speed = \"report\"");
+  }
 }
 
 }  // namespace
@@ -59,23 +78,6 @@ const std::vector<double>& defaultWaveOmega(const Coefficients& coefficients) {
   return coefficients.waveOmega.empty() ? coefficients.omega : coefficients.waveOmega;
 }
 
-// The report's form needs x-derivatives, and holds ahead only.
-static void requireReportForm(const std::string& path, const SpeedOptions& moving,
-                              const Coefficients& coefficients) {
-  if (moving.speed < 0.0) {
-    throw UsageError(
-        fmt::format("--speed {}: astern with --form tuck only, as the report's form of "
-                    "the speed terms drives a ship astern",
-                    moving.speed));
-  }
-  if (coefficients.addedMassX.empty() && moving.speed != 0.0) {
-    throw HydroError(Fault::DatabaseIncomplete,
-                     path +
-                         ": --form report needs x-derivatives, which are not in the file; solve "
-                         "with forward_speed = \"report\"");
-  }
-}
-
 Coefficients readDatabase(const std::string& path, const SpeedOptions& moving) {
   if (!(std::abs(moving.speed) <= 100.0)) {
     throw UsageError(fmt::format("--speed {}: must be in -100..100 m/s", moving.speed));
@@ -87,8 +89,6 @@ Coefficients readDatabase(const std::string& path, const SpeedOptions& moving) {
     requireReportForm(path, moving, coefficients);
   return coefficients;
 }
-
-constexpr double kFarthest = 1e6;  // [m]
 
 Vec3 vectorOption(const std::string& option, const std::string& text) {
   const std::size_t first = text.find(',');

@@ -11,6 +11,7 @@
 #include "demos/cutwater/output/Progress.h"
 #include "hydro/Errors.h"
 #include "hydro/base/EnumNames.h"
+#include "hydro/memory/SpeedStability.h"
 #include "plugin/Recorder.h"
 
 namespace cutwater::command {
@@ -44,8 +45,7 @@ void checkStability(const RunFile& run, const Hydrodynamics& ship) {
   const bool held = run.model.restrained.at(static_cast<std::size_t>(limit.mode));
   if (limit.speed && !held && std::abs(speed) >= *limit.speed) {
     const std::string line =
-        fmt::format("[motion] speed = {} m/s: unstable above {:.3g} m/s{} in {} (form {})", speed,
-                    *limit.speed, speed < 0.0 ? " astern" : "", kModeNames[limit.mode],
+        fmt::format("[motion] speed = {} m/s: {} (form {})", speed, describe(limit, speed < 0.0),
                     nameOf(kForwardSpeedNames, ship.form()));
     if (!run.allowUnstable)
       throw HydroError(Fault::ValueOutOfRange,
@@ -71,6 +71,11 @@ std::size_t rowsOf(const RunFile& run, std::size_t columns) {
   requireMemory(what, kBytes * rows * static_cast<double>(columns));
   if (rows > 2e9) throw HydroError(Fault::ValueOutOfRange, what + ", more than 2e9");
   return static_cast<std::size_t>(rows);
+}
+
+void warnOfTheory(RunShip& run, const std::string& path) {
+  if ((run.seaway().faults() & kSpeedOutsideTheory) != 0)
+    warn(path + ": the ship made a speed at which its own motions grow: outside the theory");
 }
 
 }  // namespace
@@ -100,11 +105,6 @@ std::string describeFaults(RunShip& run) {
   add(kCallbackReplaced, "the world's pre-tick callback was overwritten");
   add(kSolverNotSupported, "the solver cannot carry added mass");
   return line;
-}
-
-static void warnOfTheory(RunShip& run, const std::string& path) {
-  if ((run.seaway().faults() & kSpeedOutsideTheory) != 0)
-    warn(path + ": the ship made a speed at which its own motions grow: outside the theory");
 }
 
 void simulate(const std::string& path, bool forces, const std::string& out) {

@@ -11,7 +11,6 @@
 #include "hydro/finish/ConsistentLimit.h"
 #include "hydro/finish/GridNeeds.h"
 #include "hydro/geometry/shapes/Shapes.h"
-#include "hydro/memory/Resonances.h"
 
 namespace cutwater::command {
 
@@ -70,24 +69,6 @@ std::string scatterOf(const Coefficients& c, const RetardationMatrix& memory,
       worst.name(), omega, 100.0 * worst.share);
 }
 
-/// As `finish` does (decision 0072): narrow peaks on a grid that suffices otherwise are named.
-bool letsThroughResonances(const Coefficients& c, const RetardationMatrix& memory,
-                           const ConsistentLimit& limit, const GridNeeds& grid,
-                           const std::string& file) {
-  if (limit.trusted || !grid.suffices() || limit.medianDistance >= kLargestMedianDistance)
-    return false;
-  std::string places;
-  for (const Resonance& one : resonances(c, memory, limit.median))
-    places += fmt::format("{}{} near {:.3g}", places.empty() ? "" : ", ", kModeNames[one.mode],
-                          one.omega);
-  if (places.empty()) return false;
-  warn(
-      fmt::format("{}: {}: resonances narrower than the steps of simulation_parameters/w: {} "
-                  "rad/s. There motions in the time domain are not right",
-                  file, kBoth, places));
-  return true;
-}
-
 std::string distanceOf(const Coefficients& c, const ConsistentLimit& limit) {
   const Worst worst(c.addedMass.atInfinity, limit.addedMassInf);
   return fmt::format("{}: {}(inf) = {:.4g}, but {} give {:.4g}", kLimit, worst.name(),
@@ -119,7 +100,13 @@ void makeConsistent(Coefficients& c, const std::string& file) {
   const ConsistentLimit limit = consistentLimit(c, memory);
   const GridNeeds grid(c);
   const std::vector<std::string> advice = grid.advice();
-  if (!letsThroughResonances(c, memory, limit, grid, file)) {
+  if (const std::string places = listed(hinderingResonances(c, memory, limit, grid));
+      !places.empty()) {
+    warn(
+        fmt::format("{}: {}: resonances narrower than the steps of simulation_parameters/w, at {} "
+                    "rad/s. There motions in the time domain are not right",
+                    file, kBoth, places));
+  } else {
     if (limit.scatter >= kLargestScatter)
       refuse(file, fmt::format("{}{}{}", scatterOf(c, memory, limit), advice.empty() ? "" : "; ",
                                fmt::join(advice, "; ")));
