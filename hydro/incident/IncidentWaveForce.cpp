@@ -47,12 +47,11 @@ IncidentVelocity incidentNormalVelocity(const PanelMesh& mesh, const AiryWave& w
   const Eigen::Vector3cd kappa = wave.exponent();
   const Vec3 origin(cog.x(), cog.y(), 0.0);
   const Complex amplitude(0.0, -wave.gravity / wave.omega);  // −∇φ_I = that times κ e^{κ·x}
-  const auto mean = [&](const Panel& panel) {
-    const Complex across = (kappa.transpose() * panel.normal).value();
-    return amplitude * across * panelWave(panel, kappa, origin).sum / panel.area;
-  };
   return normalVelocities(mesh.panels.size(), mesh.symmetric, [&](std::size_t i, bool starboard) {
-    return mean(panelOf(mesh, i, starboard));
+    const Panel panel = panelOf(mesh, i, starboard);
+    const Vec3 area = starboard ? mirrored(mesh.vectorArea(i)) : mesh.vectorArea(i);
+    const Complex across = (kappa.transpose() * area).value() / panel.area;
+    return amplitude * across * panelWave(panel, kappa, origin).sum / panel.area;
   });
 }
 

@@ -15,7 +15,8 @@ namespace cutwater {
 CVec6 froudeKrylovForce(const PanelMesh& mesh, const AiryWave& wave, const Vec3& cog,
                         double density);
 
-/// v of a wave.
+/// v of a wave: its flux through the surface for which each panel stands (PanelMesh::patches), over
+/// the panel's area.
 IncidentVelocity incidentNormalVelocity(const PanelMesh& mesh, const AiryWave& wave,
                                         const Vec3& cog);
 

@@ -10,7 +10,7 @@ namespace cutwater {
 namespace {
 
 SmallPanel starboard(SmallPanel p) {
-  for (Vec3* v : {&p.centre, &p.normal, &p.arm}) v->y() = -v->y();
+  for (Vec3* v : {&p.centre, &p.normal, &p.flux, &p.arm}) v->y() = -v->y();
   for (const int i : {0, 2}) p.spread(i, 1) = p.spread(1, i) = -p.spread(i, 1);
   return p;
 }
@@ -32,9 +32,14 @@ struct PlaneWave {
 
 std::vector<SmallPanel> smallPanels(const PanelMesh& mesh, const Vec3& cog) {
   std::vector<SmallPanel> panels;
-  for (const Panel& p : mesh.panels) {
-    SmallPanel small{p.centroid - Vec3(cog.x(), cog.y(), 0.0), p.normal, p.area,
-                     Eigen::Matrix3d::Zero(), p.centroid - cog};
+  for (std::size_t i = 0; i < mesh.panels.size(); ++i) {
+    const Panel& p = mesh.panels[i];
+    SmallPanel small{p.centroid - Vec3(cog.x(), cog.y(), 0.0),
+                     p.normal,
+                     mesh.vectorArea(i) / p.area,
+                     p.area,
+                     Eigen::Matrix3d::Zero(),
+                     p.centroid - cog};
     for (const QuadraturePoint& point : panelQuadrature(p, 3)) {
       const Vec3 r = point.x - p.centroid;
       small.spread += point.weight / p.area * r * r.transpose();
@@ -65,7 +70,7 @@ IncidentVelocity incidentNormalVelocity(const std::vector<SmallPanel>& panels, c
   const auto mean = [&](const SmallPanel& p) {
     Eigen::Vector3cd unused;
     const Complex across =
-        e.kappa.x() * p.normal.x() + e.kappa.y() * p.normal.y() + e.kappa.z() * p.normal.z();
+        e.kappa.x() * p.flux.x() + e.kappa.y() * p.flux.y() + e.kappa.z() * p.flux.z();
     return amplitude * across * e.mean(p, unused);
   };
   return normalVelocities(panels.size(), symmetric, [&](std::size_t i, bool other) {

@@ -11,6 +11,7 @@ namespace cutwater {
 /// What a panel's mean of a wave needs: to second order in its size over the wave length.
 struct SmallPanel {
   Vec3 centre, normal;  ///< from G in plan, from calm water in height
+  Vec3 flux;            ///< vector area of the surface for which it stands / area
   double area = 0.0;
   Eigen::Matrix3d spread;  ///< ∫(x − c)(x − c)ᵀ dS / area
   Vec3 arm;                ///< c − G

@@ -25,7 +25,7 @@ struct CurvedSphere {
 std::array<double, 2> discErrors(int around, int down) {
   const CurvedSphere sphere(around, down);
   Vec3 sum = Vec3::Zero();
-  for (const CurvedPatch& patch : sphere.mesh.patches) sum += patch.vectorArea;
+  for (const PanelPatch& patch : sphere.mesh.patches) sum += patch.vectorArea;
   EXPECT_NEAR(sum.x(), 0.0, 1e-12);
   return {sum.y() / (0.5 * kPi) - 1.0, sum.z() / (-0.5 * kPi) - 1.0};
 }

@@ -65,6 +65,32 @@ TEST(FarWaveIdentity, OrderOfThePanelsDoesNotMatter) {
   }
 }
 
+// Equations at centroids: an entry depends on the extent of its source panel alone, so that in
+// reverse order, where every pair of blocks is met the other way round, it is the same. Within the
+// error of one evaluation a pair.
+TEST(FarWaveIdentity, CentroidsSeeTheExtentOfTheSource) {
+  const PanelMesh mesh = portBoat(true);
+  PanelMesh turned = mesh;
+  std::reverse(turned.panels.begin(), turned.panels.end());
+  const int n = static_cast<int>(mesh.panels.size());
+  for (const bool source : {false, true}) {
+    InfluenceSettings settings;
+    settings.formulation = source ? Formulation::Source : Formulation::Potential;
+    settings.galerkinPoints = 1;
+    const double K = 1.5;
+    const FarSystems before = filled(mesh, settings, K), after = filled(turned, settings, K);
+    for (std::size_t p = 0; p < 2; ++p) {
+      const Eigen::MatrixXcd back = after[p].L.topLeftCorner(n, n).reverse();
+      EXPECT_LT(largest(back - before[p].L.topLeftCorner(n, n)), 1e-4 * largest(before[p].L));
+      // Rows and columns of the lid, whose panels are larger than the hull's.
+      const Eigen::MatrixXcd columns = after[p].L.topRightCorner(n, after[p].L.cols() - n);
+      EXPECT_LT(
+          largest(columns.colwise().reverse() - before[p].L.topRightCorner(n, columns.cols())),
+          1e-4 * largest(columns));
+    }
+  }
+}
+
 // [M03] (57)-(60): even and odd are sum and difference of two blocks of the whole hull's matrix.
 TEST(FarWaveIdentity, ParitiesAreSumAndDifferenceOfTheWholeHullsBlocks) {
   const PanelMesh port = portBoat(false);

@@ -83,7 +83,7 @@ TEST(SystemIdentity, AdjointVectorsGiveTheDirectDiffractionForce) {
     }
 }
 
-// The same adjoint vectors hold the radiation: b_jᵀ n_k = iρ ∫ φ̂_k n_j dS = −i Z_jk.
+// The same adjoint vectors hold the radiation: b_jᵀ v_k = iρ ∫ φ̂_k n_j dS = −i Z_jk.
 TEST(SystemIdentity, AdjointVectorsGiveTheRadiationForce) {
   const InfluenceMatrices matrices(panels(wetFrigate(12, 4), true, true));
   const ModeNormals normals(matrices.mesh(), Vec3(-2.0, 0.0, 1.3));
@@ -93,7 +93,8 @@ TEST(SystemIdentity, AdjointVectorsGiveTheRadiationForce) {
   const auto b = adjointVectors(system, normals, 1.0).omega;
   for (int j = 0; j < 6; ++j)
     for (int k = j % 2; k < 6; k += 2)
-      EXPECT_LT(std::abs(2.0 * (b.row(j) * normals.n.col(k)).value() + Complex(0.0, 1.0) * Z(j, k)),
+      EXPECT_LT(std::abs(2.0 * (b.row(j) * normals.velocity.col(k)).value() +
+                         Complex(0.0, 1.0) * Z(j, k)),
                 kRoundOff * Z.norm());
 }
 

@@ -73,6 +73,23 @@ TEST(IncidentVelocityIdentity, EvenAndOddPartsAddUpToBothSides) {
   EXPECT_LT((halves.even - halves.odd - all.even.tail(n)).norm(), 1e-12 * all.even.norm());
 }
 
+// In waves much longer than the ship the water moves as one: v = −iω(i cos β, 0, −1)·n e^{…}, the
+// flux of surge and heave through the same vector areas. What is left is k·length = 4e-6.
+TEST(IncidentVelocityIdentity, LongWavesHaveTheFluxOfSurgeAndHeave) {
+  const PanelMesh mesh = makePanels(wetFrigate(24, 5), true);
+  const AiryWave wave{6e-4, kPi, kGravity};
+  const IncidentVelocity v = incidentNormalVelocity(mesh, wave, Vec3::Zero());
+  const Eigen::Vector3cd kappa = wave.exponent();
+  const Complex amplitude(0.0, -wave.gravity / wave.omega);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < mesh.panels.size(); ++i) {
+    const Vec3 n = mesh.patches[i].vectorArea / mesh.panels[i].area;
+    const Complex expected = amplitude * (kappa.x() * n.x() + kappa.z() * n.z());
+    worst = std::max(worst, std::abs(v.even[static_cast<Eigen::Index>(i)] - expected));
+  }
+  EXPECT_LT(worst, 1e-5 * wave.omega);
+}
+
 TEST(PanelQuadratureClosedForm, WeightsSumToTheAreaAndMomentsToTheCentroid) {
   for (const Panel& panel : makePanels(wetFrigate(12, 4), true).panels) {
     for (int n = 2; n <= 5; ++n) {

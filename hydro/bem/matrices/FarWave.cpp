@@ -69,8 +69,7 @@ FarWave::Block FarWave::blockOf(int begin, int size) const {
   Block block{begin, size, {}, {}};
   for (int i = 0; i < kSide; ++i)
     put(pairs_, begin + std::min(i, size - 1), static_cast<std::size_t>(i), block.source);
-  const bool averaged = pairs_.settings().galerkinPoints > 1;
-  block.field = {asField(block.source, false, averaged), asField(block.source, true, averaged)};
+  block.field = {asField(block.source, false, averages()), asField(block.source, true, averages())};
   return block;
 }
 
@@ -85,8 +84,10 @@ void FarWave::fill(const At& at, Systems& systems) const {
   for (std::size_t group = 0; group < count; group += kGroup) {
     const std::size_t end = std::min(group + kGroup, count);
     for (std::size_t i = 0; i < end; ++i)
-      for (std::size_t j = std::max(group, i); j < end; ++j)
+      for (std::size_t j = std::max(group, i); j < end; ++j) {
         fillPair(form, blocks_[i], blocks_[j], at, *tiles, systems);
+        if (!averages() && j != i) fillPair(form, blocks_[j], blocks_[i], at, *tiles, systems);
+      }
   }
 }
 
@@ -105,7 +106,7 @@ void FarWave::fillPair(const FormFactors& form, const Block& field, const Block&
     const auto parity = static_cast<Parity>(p);
     InfluenceSystem<Complex>& system = systems[static_cast<std::size_t>(p)];
     for (const Target& target : {Target{field, source, false}, Target{source, field, true}}) {
-      if (target.exchanged && field.begin == source.begin) continue;
+      if (target.exchanged && (field.begin == source.begin || !averages())) continue;
       write(target, at, tiles[static_cast<std::size_t>(p)], parity, system);
       if (images) writeImages(target, at, tiles, parity, system);
     }
@@ -131,7 +132,7 @@ void FarWave::place(const Block& field, const Block& source, bool mirrored, doub
 
 CUTWATER_VECTOR void FarWave::weigh(const FormFactors& form, const Block& field,
                                     const Block& source, bool mirrored, WaveTile& t) const {
-  const bool averaged = pairs_.settings().galerkinPoints > 1;
+  const bool averaged = averages();
   WaveTile::Column at;
   for (std::size_t k = 0; k < WaveTile::kPairs; ++k) at[k] = FormFactors::placeOf(t.ex[k], t.ey[k]);
   for (int j = 0; j < source.size; ++j) {

@@ -19,7 +19,7 @@ struct InfluenceSystem {
 
 /// Wave parts of all pairs whose free-surface image is not near, from one evaluation of the wave
 /// term a pair, at the two centroids: it depends on their horizontal distance h and on z + ζ only,
-/// so it serves both directions. What the panels' extent does to it, to second order in
+/// so it serves both directions, unless equations are taken at centroids. What the panels' extent does to it, to second order in
 /// size/distance and to all orders in size/wave length:
 ///     mean of g = g − o + ½⟨(s·∇)²⟩(g − o) + o S_i S_j (1 + c),
 ///     o = −2πK e^{−Y}[Y₀(X) + iJ₀(X)]
@@ -60,6 +60,9 @@ class FarWave {
     const Block &field, &source;
     bool exchanged;
   };
+  /// Each equation is averaged over its panel, as the sources are: one result serves both ways. At
+  /// centroids it does not.
+  bool averages() const { return pairs_.settings().galerkinPoints > 1; }
   Block blockOf(int begin, int size) const;
   void fillPair(const FormFactors& form, const Block& field, const Block& source, const At& at,
                 std::array<WaveTile, 2>& tiles, Systems& systems) const;

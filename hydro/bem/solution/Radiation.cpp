@@ -1,34 +1,24 @@
 #include "hydro/bem/solution/Radiation.h"
 
+#include <algorithm>
+
 #include "hydro/bem/solution/PanelGradients.h"
+#include "hydro/geometry/panels/PanelQuadrature.h"
 
 namespace cutwater {
 namespace {
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 
-/// ∫ (x − centroid)(x − centroid)ᵀ dS [m⁴].
-Eigen::Matrix3d spread(const Panel& panel) {
-  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-  for (const QuadraturePoint& point : panelQuadrature(panel, 2)) {
-    const Vec3 s = point.x - panel.centroid;
-    sum += point.weight * s * s.transpose();
-  }
-  return sum;
-}
-
-/// ∫ n_j dS over a curved patch: of r × n its part from the bend, −∫ s × (bend s) dS, too.
-Vec6 areas(const CurvedPatch& patch, const Vec3& arm, const Eigen::Matrix3d& moment) {
-  const Eigen::Matrix3d twist = moment * patch.bend;
+/// ∫ n_j dS over a patch.
+Vec6 areas(const PanelPatch& patch, const Vec3& arm) {
   Vec6 area;
-  area << patch.vectorArea,
-      arm.cross(patch.vectorArea) -
-          Vec3(twist(1, 2) - twist(2, 1), twist(2, 0) - twist(0, 2), twist(0, 1) - twist(1, 0));
+  area << patch.vectorArea, arm.cross(patch.vectorArea) + patch.couple;
   return area;
 }
 
 /// Gradients of n_1..n_6 along the panel, one column each.
-Eigen::Matrix<double, 3, 6> slopes(const Panel& panel, const CurvedPatch& patch, const Vec3& arm) {
+Eigen::Matrix<double, 3, 6> slopes(const Panel& panel, const PanelPatch& patch, const Vec3& arm) {
   Eigen::Matrix<double, 3, 6> slope;
   for (int k = 0; k < 3; ++k) {
     const Vec3 axis = Vec3::Unit(k);
@@ -38,19 +28,17 @@ Eigen::Matrix<double, 3, 6> slopes(const Panel& panel, const CurvedPatch& patch,
   return slope;
 }
 
-/// Weights w_j with w_jᵀφ = ∫φ n_j dS over the curved patches, φ linear on each: φ ∫n_j dS + ∇φ·∫s
-/// n_j dS.
-Rows curvedWeights(const PanelMesh& mesh, const Vec3& cog, const PanelGradients& gradients) {
-  Rows weights = Rows::Zero(static_cast<Eigen::Index>(mesh.panels.size()), 6);
+/// Adds ∇φ·∫s n_j dS of the curved patches, φ linear on each, to weights w_j.
+void addSlopes(const PanelMesh& mesh, const Vec3& cog, const PanelGradients& gradients,
+               Rows& weights) {
   const Eigen::RowVectorXd image = (Eigen::RowVectorXd(6) << 1, -1, 1, -1, 1, -1).finished();
   for (int i = 0; i < static_cast<int>(mesh.panels.size()); ++i) {
     const Panel& panel = mesh.panels[static_cast<std::size_t>(i)];
-    const CurvedPatch& patch = mesh.patches[static_cast<std::size_t>(i)];
-    const Vec3 arm = panel.centroid - cog;
-    const Eigen::Matrix3d moment = spread(panel);
-    weights.row(i) += areas(patch, arm, moment).transpose();
+    const PanelPatch& patch = mesh.patches[static_cast<std::size_t>(i)];
+    if (patch.curved == 0.0) continue;
     const PanelGradients::Gradient& gradient = gradients.of(i);
-    const Rows steps = gradient.columns.transpose() * moment * slopes(panel, patch, arm);
+    const Rows steps = patch.curved * gradient.columns.transpose() * secondMoments(panel) *
+                       slopes(panel, patch, panel.centroid - cog);
     weights.row(i) -= steps.colwise().sum();
     for (Eigen::Index k = 0; k < steps.rows(); ++k) {
       const PanelGradients::Neighbour& other = gradient.neighbours[static_cast<std::size_t>(k)];
@@ -60,7 +48,6 @@ Rows curvedWeights(const PanelMesh& mesh, const Vec3& cog, const PanelGradients&
         weights.row(other.panel) += steps.row(k);
     }
   }
-  return weights;
 }
 
 }  // namespace
@@ -74,12 +61,18 @@ ModeNormals::ModeNormals(const PanelMesh& mesh, const Vec3& cog)
     area[i] = panel.area;
   }
   velocity = n;
+  for (std::size_t i = 0; i < mesh.patches.size(); ++i)
+    velocity.row(static_cast<Eigen::Index>(i)) =
+        areas(mesh.patches[i], mesh.panels[i].centroid - cog).transpose() / mesh.panels[i].area;
 }
 
 ModeNormals::ModeNormals(const PanelMesh& mesh, const Vec3& cog, const SurfaceMesh& wet)
     : ModeNormals(mesh, cog) {
-  if (mesh.patches.empty()) return;
-  velocity = area.cwiseInverse().asDiagonal() * curvedWeights(mesh, cog, PanelGradients(wet, mesh));
+  const auto isCurved = [](const PanelPatch& patch) { return patch.curved > 0.0; };
+  if (std::none_of(mesh.patches.begin(), mesh.patches.end(), isCurved)) return;
+  Rows weights = area.asDiagonal() * velocity;
+  addSlopes(mesh, cog, PanelGradients(wet, mesh), weights);
+  velocity = area.cwiseInverse().asDiagonal() * weights;
 }
 
 std::vector<Parity> ModeNormals::parities() const {

@@ -6,12 +6,12 @@ namespace cutwater {
 /// Generalised normals n_1..n_6 about G and areas of the hull panels, and the weights with which a
 /// potential of one value a panel is integrated against them: one row a panel.
 ///     w_jᵀ φ = ∫ φ n_j dS
-/// On flat panels w_j = n_j ΔS. Over curved ones (PanelMesh::patches) n_j varies, and so does φ,
-/// linear on each panel (PanelGradients.h): w_j has ∫n_j dS of the patch, and ∇φ times the first
-/// moment of n_j carried to the neighbours. By reciprocity the same w_j are the flux of a motion
-/// through the panels.
+/// w_j = ∫n_j dS over the surface for which the panel stands (PanelMesh::patches), on a flat face
+/// n_j ΔS. Where that is curved, n_j varies and so does φ, linear on each panel (PanelGradients.h):
+/// w_j then has ∇φ times the first moment of n_j, carried to the neighbours, too. By reciprocity
+/// the same w_j are the flux of a motion through the panels.
 struct ModeNormals {
-  /// n_{1..3} = n, n_{4..6} = (r − r_G) × n at the centroid. Panels count as flat.
+  /// n_{1..3} = n, n_{4..6} = (r − r_G) × n at the centroid. Without first moments.
   ModeNormals(const PanelMesh& mesh, const Vec3& cog);
   /// Curved where `mesh` says so.  @param wet the mesh `mesh` was made from.
   ModeNormals(const PanelMesh& mesh, const Vec3& cog, const SurfaceMesh& wet);
@@ -24,7 +24,7 @@ struct ModeNormals {
   Eigen::MatrixXd of(Parity parity) const;
   /// Columns w_j, twice for a symmetric hull: ∫ over both sides.
   Eigen::MatrixXd weights(Parity parity) const;
-  /// Columns w_j / ΔS: the normal velocities of unit motion, one value a panel; n_j on flat panels.
+  /// Columns w_j / ΔS: the normal velocities of unit motion, one value a panel; n_j on flat faces.
   Eigen::MatrixXd velocities(Parity parity) const;
 
   Eigen::Matrix<double, Eigen::Dynamic, 6> n;

@@ -85,6 +85,18 @@ Panel flatten(const SurfaceMesh& mesh, const Face& face, std::size_t index) {
   return panel;
 }
 
+/// What a face has before it is flattened: two triangles, as `triangulated` makes them.
+PanelPatch patchOf(const SurfaceMesh& mesh, const Face& face, const Vec3& centroid) {
+  PanelPatch patch;
+  for (int i = 1; i + 1 < face.size(); ++i) {
+    const Vec3 &a = mesh.corner(face, 0), &b = mesh.corner(face, i), &c = mesh.corner(face, i + 1);
+    const Vec3 part = 0.5 * (b - a).cross(c - a);
+    patch.vectorArea += part;
+    patch.couple += ((a + b + c) / 3.0 - centroid).cross(part);
+  }
+  return patch;
+}
+
 }  // namespace
 
 Panel flatPanel(const std::vector<Vec3>& corners) {
@@ -112,8 +124,11 @@ PanelMesh makePanels(const SurfaceMesh& wet, bool symmetric) {
   PanelMesh mesh;
   mesh.symmetric = symmetric;
   mesh.panels.reserve(wet.faces.size());
-  for (std::size_t i = 0; i < wet.faces.size(); ++i)
+  mesh.patches.reserve(wet.faces.size());
+  for (std::size_t i = 0; i < wet.faces.size(); ++i) {
     mesh.panels.push_back(flatten(wet, wet.faces[i], i));
+    mesh.patches.push_back(patchOf(wet, wet.faces[i], mesh.panels.back().centroid));
+  }
   return mesh;
 }
 

@@ -126,6 +126,15 @@ std::vector<QuadraturePoint> sevenPoints(const Panel& panel) {
   return points;
 }
 
+Eigen::Matrix3d secondMoments(const Panel& panel) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const QuadraturePoint& point : panelQuadrature(panel, 2)) {
+    const Vec3 s = point.x - panel.centroid;
+    sum += point.weight * s * s.transpose();
+  }
+  return sum;
+}
+
 std::array<Panel, 4> quarters(const Panel& panel) {
   const auto& c = panel.corner;
   const Vec3 ab = middle(c[0], c[1]), bc = middle(c[1], c[2]);

@@ -25,6 +25,9 @@ std::vector<QuadraturePoint> panelQuadrature(const Panel& panel, int n);
 /// Except on a square, they depend on which corner is the first.
 std::vector<QuadraturePoint> sevenPoints(const Panel& panel);
 
+/// ∫ (x − centroid)(x − centroid)ᵀ dS [m⁴].
+Eigen::Matrix3d secondMoments(const Panel& panel);
+
 /// The four quarters of a panel, cut at the mid-points of its edges.
 std::array<Panel, 4> quarters(const Panel& panel);
 

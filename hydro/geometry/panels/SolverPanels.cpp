@@ -170,6 +170,12 @@ Eigen::Matrix3d bendOf(const Frame& frame, const Paraboloid& surface) {
   return surface.trust * plane * surface.Q * plane.transpose();
 }
 
+/// ∫ s × n dS over a curved patch, n = n₀ − bend·s: −∫ s × (bend s) dS.
+Vec3 coupleOf(const Panel& panel, const Eigen::Matrix3d& bend) {
+  const Eigen::Matrix3d twist = secondMoments(panel) * bend;
+  return -Vec3(twist(1, 2) - twist(2, 1), twist(2, 0) - twist(0, 2), twist(0, 1) - twist(1, 0));
+}
+
 /// Vector areas of the patches over the faces: those of the faces, and along each edge e the sliver
 /// ⅔ s × e up to the arc of the surface above it, s the arc's height over the middle. What a face
 /// gains its neighbour loses: the sum over all is that within the arcs of the waterline.
@@ -238,8 +244,11 @@ PanelMesh solverPanels(const SurfaceMesh& wet, bool symmetric, bool curved) {
   for (std::size_t f = 0; f < mesh.panels.size(); ++f) {
     const Frame frame(mesh.panels[f]);
     const Paraboloid surface = paraboloid(whole, whole.faces[f], neighbours.of(f), frame);
-    mesh.patches.push_back({Vec3::Zero(), bendOf(frame, surface)});
     panels.push_back(moved(mesh.panels[f], frame, surface));
+    PanelPatch& patch = mesh.patches[f];
+    patch.curved = surface.trust;
+    patch.bend = bendOf(frame, surface);
+    patch.couple = (1.0 - surface.trust) * patch.couple + coupleOf(panels.back(), patch.bend);
   }
   const PatchAreas areas(wet, mesh);
   for (std::size_t f = 0; f < mesh.panels.size(); ++f) mesh.patches[f].vectorArea = areas.of(f);

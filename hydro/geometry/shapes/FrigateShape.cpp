@@ -66,10 +66,10 @@ Vec3 dryPoint(double u, double t) {
 
 }  // namespace
 
-SurfaceMesh wetFrigate(int along, int girth) {
+SurfaceMesh wetFrigate(int along, int girth, double crowding) {
   // The corner between waterline and transom.
   return withSplitWaterCorners(gridOfCurves(spacedAtEnds(along, kStationCrowding),
-                                            spacedAtStart(girth, kWaterlineCrowding), wetPoint));
+                                            spacedAtStart(girth, crowding), wetPoint));
 }
 
 SurfaceMesh closedFrigate(int along, int girth) {
@@ -90,7 +90,7 @@ SurfaceMesh closedFrigate(int along, int girth) {
                  const Vec3 edge = dryPoint(0.0, h);
                  return {edge.x(), v * edge.y(), edge.z()};
                }));
-  return closedFromHalves(wetFrigate(along, girth), dry);
+  return closedFromHalves(wetFrigate(along, girth, kWaterlineCrowding), dry);
 }
 
 FrigateDivision frigateDivision(int panelsPerSide) {

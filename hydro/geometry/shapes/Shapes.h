@@ -53,7 +53,9 @@ SurfaceMesh closedWigley(const WigleyShape& hull, double freeboard, int along, i
 /// the aft end of the waterline the keel line rises to z = 0, so the last wet panels end on the
 /// waterplane. `along` stations × `girth` strips; quadrilaterals but for the fan at the stem and
 /// one split corner at the transom: along × girth + 1 panels a side.
-SurfaceMesh wetFrigate(int along, int girth);
+/// @param crowding  strips closer together towards calm water, from 1 − crowding to 1 + crowding of
+///   their mean width; 0: all of equal girth. The default is that of closedFrigate.
+SurfaceMesh wetFrigate(int along, int girth, double crowding = 0.6);
 SurfaceMesh closedFrigate(int along, int girth);
 /// Stations and strips of the panel meshes in use: 224, 433 or 1040 a side (±2); for any other
 /// count the division whose panels are about twice as long as their girth.
