@@ -33,9 +33,11 @@ std::string describe(const SolveSettings& settings, std::size_t lidPanels) {
   return std::string("formulation = \"") + nameOf(kFormulationNames, settings.formulation) +
          "\"\nderivatives = \"" + nameOf(kDerivativesNames, settings.derivatives) +
          "\"\nsource_points = " + points(settings.sourcePoints) +
-         "\ngalerkin_points = " + points(settings.galerkinPoints) +
-         "\ncurved_panels = " + word(settings.curvedPanels) + "\nlid = " + word(settings.lid) +
-         "\nlid_panels = " + std::to_string(lidPanels) +
+         "\ngalerkin_points = " + points(settings.galerkinPoints) + "\ncurved_panels = " +
+         (settings.panelShape == PanelShape::Auto
+              ? "\"auto\""
+              : word(settings.panelShape == PanelShape::Curved)) +
+         "\nlid = " + word(settings.lid) + "\nlid_panels = " + std::to_string(lidPanels) +
          "\nx_derivatives = " + word(settings.xDerivatives()) + "\ninfluence = \"" +
          nameOf(kInfluenceNames, settings.influence) + "\"\n";
 }
@@ -223,7 +225,7 @@ SolverOutput buildCoefficients(const ShipParticulars& ship, const SolveSettings&
   out.ship = solvable(ship);
   out.omega = settings.omega;
   out.headings = settings.headings;
-  out.curvedPanels = settings.curvedPanels;
+  out.panelShape = settings.panelShape;
   out.forwardSpeed = settings.forwardSpeed;
   out.waveOmega = settings.waveOmega;
   out.conditionLimitEven = settings.conditionLimitEven;

@@ -6,7 +6,7 @@
 namespace cutwater {
 
 WetSurface CoefficientTables::wet() const& noexcept {
-  return {ship.wetSurface, ship.symmetric, curvedPanels};
+  return {ship.wetSurface, ship.symmetric, panelShape};
 }
 
 void requireFinished(const Coefficients& coefficients, const char* forWhat) {

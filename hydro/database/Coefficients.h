@@ -160,8 +160,8 @@ struct CoefficientTables {
   /// The envelopes themselves, pairs (ω, limit), of the even and odd systems.
   std::vector<std::pair<double, double>> conditionLimitEven, conditionLimitOdd;
 
-  /// The solver moved its panels out to the curved surface of the hull.
-  bool curvedPanels = false;
+  /// How the solver made its panels of the wet surface.
+  PanelShape panelShape = PanelShape::Flat;
   /// The wet surface, from which the solver's panels are made. Internal: WetSurface.h is not
   /// installed. It refers to this object, so that a temporary has none.
   WetSurface wet() const& noexcept;

@@ -116,6 +116,9 @@ class GroupWriter {
     writer_.numbers("cutwater/" + name, shape, data);
   }
   void operator()(const std::string& name, const bool& value) { (*this)(name, value ? 1.0 : 0.0); }
+  void operator()(const std::string& name, const PanelShape& value) {
+    (*this)(name, static_cast<double>(value));
+  }
   void operator()(const std::string& name, const std::string& value) {
     writer_.text("cutwater/" + name, value);
   }
@@ -156,6 +159,14 @@ class GroupReader {
     double number = 0.0;
     (*this)(name, number);
     value = number != 0.0;
+  }
+  void operator()(const std::string& name, PanelShape& value) {
+    int number = 0;
+    (*this)(name, number);
+    if (number < 0 || number > static_cast<int>(PanelShape::Auto))
+      throw HydroError(Fault::FileMalformed,
+                       fmt::format("{}: cutwater/{} = {}", reader_.path(), name, number));
+    value = static_cast<PanelShape>(number);
   }
   void operator()(const std::string& name, std::string& value) {
     value = reader_.text("cutwater/" + name);
@@ -229,7 +240,7 @@ void transfer(Store&& store, C& c) {
   store("adjoint_inf", c.adjoint.atInfinity);
   store("adjoint_x_inf", c.adjointX.atInfinity);
   store("forward_speed", c.forwardSpeed);
-  store("curved_panels", c.curvedPanels);
+  store("curved_panels", c.panelShape);
   store("diffraction_table/speeds", c.diffractionTable.speeds);
   store("diffraction_table/headings", c.diffractionTable.headings);
   store("diffraction_table/wave_omega", c.diffractionTable.waveOmega);
@@ -307,6 +318,7 @@ class FiniteCheck {
                                                          placeIn(shapeOf(value), at), *bad));
   }
   void operator()(const std::string&, const bool&) {}
+  void operator()(const std::string&, const PanelShape&) {}
   void operator()(const std::string&, const std::string&) {}
   void operator()(const std::string&, const ForwardSpeedForm&) {}
 

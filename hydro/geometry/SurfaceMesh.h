@@ -31,6 +31,16 @@ struct SurfaceMesh {
   }
 };
 
+/// How the solver's panels stand to the faces of a mesh (panels/SolverPanels.h). A database holds
+/// these numbers, so that its panels can be made again.
+enum class PanelShape {
+  FlattenedOnly = 0,  ///< flat, with the areas of the flattened panels; databases of 0.1.0
+  MovedOnly = 1,      ///< all curved, waves meeting the moved panels' areas; databases of 0.1.0
+  Flat = 2,           ///< flat, with the vector areas of the faces
+  Curved = 3,         ///< moved out to the curved surface on which the vertices lie
+  Auto = 4            ///< curved where the neighbours' normals bear the curved surface out
+};
+
 /// Vector area n·S of a face [m²]: half the cross product of its diagonals, exact for a twisted
 /// quadrilateral too.
 Vec3 vectorArea(const SurfaceMesh& mesh, const Face& face);

@@ -9,8 +9,9 @@ namespace cutwater::test {
 inline constexpr double kGravity = 9.80665;
 
 /// Panels of a wet surface with its lid, or without.
-inline PanelMesh panels(const SurfaceMesh& wet, bool symmetric, bool lid, bool curved = false) {
-  PanelMesh mesh = solverPanels(wet, symmetric, curved);
+inline PanelMesh panels(const SurfaceMesh& wet, bool symmetric, bool lid,
+                        PanelShape shape = PanelShape::Flat) {
+  PanelMesh mesh = solverPanels(wet, symmetric, shape);
   if (lid) mesh.lid = makeLid(wet, symmetric);
   return mesh;
 }

@@ -12,7 +12,7 @@ namespace {
 struct CurvedSphere {
   CurvedSphere(int around, int down)
       : wet(wetHemisphere(1.0, around, down)),
-        mesh(panels(wet, true, false, true)),
+        mesh(panels(wet, true, false, PanelShape::Curved)),
         normals(mesh, kG, wet) {}
   static inline const Vec3 kG{0.0, 0.0, -0.3};
   SurfaceMesh wet;
@@ -73,10 +73,37 @@ TEST(CurvedPanelsConvergence, WeightsIntegrateAtFourthOrder) {
 TEST(CurvedPanelsIdentity, HalfHullHasTheWeightsOfTheWhole) {
   const CurvedSphere half(8, 5);
   const SurfaceMesh both = bothHalves(half.wet);
-  const PanelMesh mesh = panels(both, false, false, true);
+  const PanelMesh mesh = panels(both, false, false, PanelShape::Curved);
   const ModeNormals whole(mesh, CurvedSphere::kG, both);
   const Eigen::Index count = half.normals.velocity.rows();
   EXPECT_LT((whole.velocity.topRows(count) - half.normals.velocity).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+// A box has nothing to curve, a sphere curves everywhere alike, and a bilge of few panels does not:
+// there the panels stay flat.
+TEST(CurvedPanelsIdentity, AutoCurvesWhereTheNormalsAgree) {
+  const auto share = [](const SurfaceMesh& wet) {
+    double curved = 0.0, area = 0.0;
+    const PanelMesh mesh = solverPanels(wet, true, PanelShape::Auto);
+    for (std::size_t i = 0; i < mesh.panels.size(); ++i) {
+      curved += mesh.patches[i].curved * mesh.panels[i].area;
+      area += mesh.panels[i].area;
+    }
+    return curved / area;
+  };
+  EXPECT_EQ(share(wetBox({20.0, 6.0, 4.0, 0.0}, 5, 2, 2)), 0.0);
+  EXPECT_GT(share(wetHemisphere(1.0, 27, 16)), 0.98);
+  const double frigate = share(wetFrigate(48, 9, 0.0));
+  EXPECT_GT(frigate, 0.1);
+  EXPECT_LT(frigate, 0.6);
+}
+
+// What the sum of n dS has to be does not depend on which panels are curved: patches meet.
+TEST(CurvedPanelsIdentity, PatchesOfAMixedHullHaveNoFrontalAreaInAll) {
+  const PanelMesh mesh = solverPanels(wetFrigate(48, 9, 0.0), true, PanelShape::Auto);
+  double sum = 0.0;
+  for (const SurfacePatch& patch : mesh.patches) sum += patch.vectorArea.x();
+  EXPECT_NEAR(sum, 0.0, 1e-9);  // round-off of 500 m² of side
 }
 
 }  // namespace

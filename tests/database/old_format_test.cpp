@@ -21,6 +21,7 @@ TEST(OldFormatRegression, ADatabaseOfTheFirstVersionGivesItsAnswers) {
   EXPECT_EQ(warning, "");
   EXPECT_EQ(c.provenance.version, "0.1.0");
   EXPECT_EQ(c.status, CoefficientStatus::Finished);
+  EXPECT_EQ(c.panelShape, PanelShape::FlattenedOnly);
   EXPECT_NEAR(c.addedMass.atInfinity(2, 2), 107522.348, kDigits * 107522.348);
   EXPECT_NEAR(c.damping[2](2, 2), 71214.2171, kDigits * 71214.2171);
   const CVec6 motion = FrequencyResponse(c).at(0.9, 150.0 * kPi / 180.0, 2.0);

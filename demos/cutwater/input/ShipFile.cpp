@@ -100,6 +100,17 @@ int points(TomlSection& solve, const std::string& key, int fallback, bool automa
   return count;
 }
 
+// "auto", true or false.
+PanelShape panelShape(TomlSection& solve, PanelShape fallback) {
+  const std::string key = "curved_panels";
+  if (!solve.has(key)) return fallback;
+  if (solve.isText(key)) {
+    solve.text(key, "auto", {"auto"});
+    return PanelShape::Auto;
+  }
+  return solve.boolean(key, false) ? PanelShape::Curved : PanelShape::Flat;
+}
+
 ConditionLimit conditionLimit(TomlSection& solve, const std::string& key) {
   ConditionLimit limit = solve.pairs(key, 0.0, 1e18);
   for (std::size_t i = 0; i < limit.size(); ++i) {
@@ -119,7 +130,7 @@ void readMethods(TomlSection& solve, SolveSettings& settings) {
   settings.influence = choice(solve, "influence", kInfluenceNames, settings.influence);
   settings.sourcePoints = points(solve, "source_points", settings.sourcePoints, true);
   settings.galerkinPoints = points(solve, "galerkin_points", settings.galerkinPoints, false);
-  settings.curvedPanels = solve.boolean("curved_panels", settings.curvedPanels);
+  settings.panelShape = panelShape(solve, settings.panelShape);
   settings.lid = solve.boolean("lid", settings.lid);
   settings.conditionLimitEven = conditionLimit(solve, "condition_limit_even");
   settings.conditionLimitOdd = conditionLimit(solve, "condition_limit_odd");

@@ -19,8 +19,8 @@ struct InfluenceSystem {
 
 /// Wave parts of all pairs whose free-surface image is not near, from one evaluation of the wave
 /// term a pair, at the two centroids: it depends on their horizontal distance h and on z + ζ only,
-/// so it serves both directions, unless equations are taken at centroids. What the panels' extent does to it, to second order in
-/// size/distance and to all orders in size/wave length:
+/// so it serves both directions, unless equations are taken at centroids. What the panels' extent
+/// does to it, to second order in size/distance and to all orders in size/wave length:
 ///     mean of g = g − o + ½⟨(s·∇)²⟩(g − o) + o S_i S_j (1 + c),
 ///     o = −2πK e^{−Y}[Y₀(X) + iJ₀(X)]
 /// o are the waves in g, S form factors of the two panels along the line between them, c what

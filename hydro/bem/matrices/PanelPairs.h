@@ -36,9 +36,10 @@ struct Pair {
 class PanelPairs {
  public:
   static constexpr int kMostPoints = 4;  ///< per side of a panel
-  /// Images nearer than this many panel diameters (the greater of both) take the split wave term:
-  /// one point and second moments there would be off by 1e-3 and more.
-  static constexpr double kNearRatio = 1.5;
+  /// Images nearer than this many panel diameters (the greater of both) take the split wave term.
+  /// One point and second moments would be off by 1e-3 and more nearer than 1.5 in long waves, and
+  /// nearer than 2.5 in waves that the panels just resolve.
+  static constexpr double kNearRatio = 2.5;
 
   /// @throws HydroError BadArgument for points that are not 1, 4 or 9 (sourcePoints: or 0), or H
   /// asked of the potential formulation.

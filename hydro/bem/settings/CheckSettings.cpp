@@ -40,6 +40,10 @@ void check(const ShipParticulars& ship, const SolveSettings& settings) {
     throw HydroError(Fault::BadArgument,
                      "buildCoefficients: a table of diffraction forces needs speeds, headings and "
                      "wave frequencies");
+  if (settings.panelShape < PanelShape::Flat || settings.panelShape > PanelShape::Auto)
+    throw HydroError(Fault::BadArgument, "buildCoefficients: panelShape " +
+                                             std::to_string(static_cast<int>(settings.panelShape)) +
+                                             " is not Flat, Curved or Auto");
   if (!(ship.density > 0.0) || !(ship.gravity > 0.0))
     throw HydroError(Fault::ValueOutOfRange,
                      "buildCoefficients: density " + std::to_string(ship.density) +

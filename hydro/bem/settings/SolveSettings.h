@@ -29,7 +29,7 @@ struct SolveSettings {
   ForwardSpeedForm forwardSpeed = ForwardSpeedForm::Tuck;
   int sourcePoints = 0;    ///< Gauss points of the wave term on a source panel: 1, 4, 9; 0: by ω
   int galerkinPoints = 4;  ///< points of a field panel that share its equation: 1, 4, 9
-  bool curvedPanels = false;    ///< panels moved out to the surface through the vertices
+  PanelShape panelShape = PanelShape::Auto;  ///< Flat, Curved or Auto
   bool lid = true;              ///< lid panels on the interior waterplane: no irregular frequencies
   double lidPanelLength = 0.0;  ///< [m]; 0: as the hull's panels along the waterline
   /// Anything but Adjoint fills `Coefficients::diffractionTable` for speeds × headings × waveOmega

@@ -14,8 +14,13 @@ namespace {
 constexpr double kCrease = 0.866;    // cos 30°
 constexpr double kOwnWeight = 10.0;  // of the face's own corners in the fit
 constexpr double kPoor = 0.7,
-                 kGood = 0.9;          // share of the curvature explained: none of it used, all
-constexpr double kMost = 0.1;          // of the diameter: a greater δ is not believed
+                 kGood = 0.9;   // share of the curvature explained: none of it used, all
+constexpr double kFlat = 1e-6;  // [rad]: a panel whose neighbours turn by less is flat
+constexpr double kAlike = 0.1,
+                 kUnlike = 0.2;  // difference of neighbours' normals: curved up to, flat from
+constexpr double kGentle = 0.25,
+                 kSharp = 0.4;  // [rad] of a turn: what a paraboloid leaves out is of its square
+constexpr double kMost = 0.1;   // of the diameter: a greater δ is not believed
 constexpr double kSteepEnough = 0.25;  // n_h² of a panel at calm water that may be moved
 
 /// Height over a panel's plane: c + g·s + ½ sᵀQs, s in the plane from the centroid [m].
@@ -48,10 +53,32 @@ class Neighbourhood {
  public:
   explicit Neighbourhood(const SurfaceMesh& mesh) : mesh_(mesh), around_(mesh.vertices.size()) {
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-      normal_.push_back(vectorArea(mesh, mesh.faces[f]).normalized());
-      for (int i = 0; i < mesh.faces[f].size(); ++i)
-        around_[static_cast<std::size_t>(mesh.faces[f][i])].push_back(f);
+      const Face& face = mesh.faces[f];
+      normal_.push_back(vectorArea(mesh, face).normalized());
+      Vec3 middle = Vec3::Zero();
+      for (int i = 0; i < face.size(); ++i) {
+        middle += mesh.corner(face, i) / face.size();
+        around_[static_cast<std::size_t>(face[i])].push_back(f);
+      }
+      middle_.push_back(middle);
     }
+  }
+  /// 1 where the normals across the edges of face f are those of the paraboloid, 0 where they are
+  /// not.
+  double bearsOut(std::size_t f, const Frame& frame, const Paraboloid& surface) const {
+    double turn = 0.0, difference = 0.0;
+    for (const std::size_t g : acrossEdges(f)) {
+      const Vec3 away = middle_[g] - frame.origin, turned = normal_[g] - normal_[f];
+      const Eigen::Vector2d inPlane(frame.u.dot(away), frame.v.dot(away));
+      const Eigen::Vector2d found(frame.u.dot(turned), frame.v.dot(turned));
+      // The direction turned into the panel's plane, the distance kept.
+      const Eigen::Vector2d expected = -surface.Q * inPlane.normalized() * away.norm();
+      turn = std::max(turn, found.norm());
+      difference = std::max(difference, (found - expected).norm());
+    }
+    if (!(turn > kFlat)) return 0.0;
+    return std::clamp((kUnlike - difference / turn) / (kUnlike - kAlike), 0.0, 1.0) *
+           std::clamp((kSharp - turn) / (kSharp - kGentle), 0.0, 1.0);
   }
   /// Vertices of the faces that touch face f and do not lie beyond a crease.
   std::set<int> of(std::size_t f) const {
@@ -66,9 +93,21 @@ class Neighbourhood {
   }
 
  private:
+  std::vector<std::size_t> acrossEdges(std::size_t f) const {
+    std::vector<std::size_t> found;
+    const Face& face = mesh_.faces[f];
+    for (int i = 0; i < face.size(); ++i) {
+      const int to = face[(i + 1) % face.size()];
+      const std::vector<std::size_t>& there = around_[static_cast<std::size_t>(to)];
+      for (const std::size_t g : around_[static_cast<std::size_t>(face[i])])
+        if (g != f && std::find(there.begin(), there.end(), g) != there.end()) found.push_back(g);
+    }
+    return found;
+  }
+
   const SurfaceMesh& mesh_;
   std::vector<std::vector<std::size_t>> around_;
-  std::vector<Vec3> normal_;
+  std::vector<Vec3> normal_, middle_;
 };
 
 /// Weighted squares that the first `terms` of 1, u, v, u², uv, v² leave, and their coefficients.
@@ -234,16 +273,18 @@ class PatchAreas {
 
 }  // namespace
 
-PanelMesh solverPanels(const SurfaceMesh& wet, bool symmetric, bool curved) {
+PanelMesh solverPanels(const SurfaceMesh& wet, bool symmetric, PanelShape shape) {
   PanelMesh mesh = makePanels(wet, symmetric);
-  if (!curved) return mesh;
+  if (shape == PanelShape::FlattenedOnly) mesh.patches.clear();
+  if (shape == PanelShape::FlattenedOnly || shape == PanelShape::Flat) return mesh;
   // The port faces come first in the whole surface, in their order.
   const SurfaceMesh whole = symmetric ? bothHalves(wet) : wet;
   const Neighbourhood neighbours(whole);
   std::vector<Panel> panels;
   for (std::size_t f = 0; f < mesh.panels.size(); ++f) {
     const Frame frame(mesh.panels[f]);
-    const Paraboloid surface = paraboloid(whole, whole.faces[f], neighbours.of(f), frame);
+    Paraboloid surface = paraboloid(whole, whole.faces[f], neighbours.of(f), frame);
+    if (shape == PanelShape::Auto) surface.trust *= neighbours.bearsOut(f, frame, surface);
     panels.push_back(moved(mesh.panels[f], frame, surface));
     PanelPatch& patch = mesh.patches[f];
     patch.curved = surface.trust;
@@ -253,6 +294,7 @@ PanelMesh solverPanels(const SurfaceMesh& wet, bool symmetric, bool curved) {
   const PatchAreas areas(wet, mesh);
   for (std::size_t f = 0; f < mesh.panels.size(); ++f) mesh.patches[f].vectorArea = areas.of(f);
   mesh.panels = std::move(panels);
+  if (shape == PanelShape::MovedOnly) mesh.patches.clear();
   return mesh;
 }
 

@@ -5,7 +5,7 @@
 
 namespace cutwater {
 
-PanelMesh WetSurface::panels() const { return solverPanels(mesh_, symmetric_, curved_); }
+PanelMesh WetSurface::panels() const { return solverPanels(mesh_, symmetric_, shape_); }
 
 PanelMesh WetSurface::panelsWithLid(double lidPanelLength) const {
   PanelMesh mesh = panels();

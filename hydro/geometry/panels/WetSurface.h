@@ -6,16 +6,16 @@ namespace cutwater {
 /// The hull below calm water, and every mesh of panels that is made of it. What the solver sees,
 /// what its results are used with later, and what Froude-Krylov forces are integrated over come
 /// from here, so that they cannot differ.
-///     const WetSurface wet = coefficients.wet();   // or WetSurface(mesh, symmetric, curved)
+///     const WetSurface wet = coefficients.wet();   // or WetSurface(mesh, symmetric, shape)
 ///     const PanelMesh panels = wet.panels();
 /// Each call makes its mesh anew, O(faces).
 class WetSurface {
  public:
   /// @param mesh      hull below calm water, hull axes; its port half if `symmetric`. Must outlive
   ///                  this object.
-  /// @param curved    the solver's panels are moved out to the curved surface (SolverPanels.h).
-  WetSurface(const SurfaceMesh& mesh, bool symmetric, bool curved = false) noexcept
-      : mesh_(mesh), symmetric_(symmetric), curved_(curved) {}
+  /// @param shape     of the solver's panels (SolverPanels.h).
+  WetSurface(const SurfaceMesh& mesh, bool symmetric, PanelShape shape = PanelShape::Flat) noexcept
+      : mesh_(mesh), symmetric_(symmetric), shape_(shape) {}
 
   bool empty() const noexcept { return mesh_.faces.empty(); }
   /// Panels of the hull on which the solver works; adjoint vectors belong to them.
@@ -30,7 +30,8 @@ class WetSurface {
 
  private:
   const SurfaceMesh& mesh_;
-  bool symmetric_, curved_;
+  bool symmetric_;
+  PanelShape shape_;
 };
 
 }  // namespace cutwater
