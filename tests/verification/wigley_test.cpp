@@ -91,6 +91,7 @@ SolveSettings asTheOtherCode() {
   settings.formulation = Formulation::Source;
   settings.derivatives = Derivatives::Source;
   settings.galerkinPoints = 1;
+  settings.panelShape = PanelShape::Flat;
   settings.lid = false;
   return settings;
 }

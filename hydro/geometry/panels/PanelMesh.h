@@ -32,7 +32,7 @@ struct PanelPatch {
 /// panels[i] comes from face i of the wet surface it was made from.
 struct PanelMesh {
   std::vector<Panel> panels;
-  std::vector<Panel> lid;             ///< may be empty
+  std::vector<Panel> lid;           ///< may be empty
   std::vector<PanelPatch> patches;  ///< of each panel; empty: the panels are the surface
   bool symmetric = false;
 

@@ -14,8 +14,10 @@ namespace {
 constexpr double kCrease = 0.866;    // cos 30°
 constexpr double kOwnWeight = 10.0;  // of the face's own corners in the fit
 constexpr double kPoor = 0.7,
-                 kGood = 0.9;   // share of the curvature explained: none of it used, all
-constexpr double kFlat = 1e-6;  // [rad]: a panel whose neighbours turn by less is flat
+                 kGood = 0.9;  // share of the curvature explained: none of it used, all
+constexpr double kFlat = 0.01,
+                 kHardlyFlat = 0.05;  // [rad]: a panel is flat whose neighbours turn by less, not
+constexpr double kKnuckle = 0.5;      // cos 60°
 constexpr double kAlike = 0.1,
                  kUnlike = 0.2;  // difference of neighbours' normals: curved up to, flat from
 constexpr double kGentle = 0.25,
@@ -63,10 +65,11 @@ class Neighbourhood {
       middle_.push_back(middle);
     }
   }
-  /// 1 where the normals across the edges of face f are those of the paraboloid, 0 where they are
-  /// not.
-  double bearsOut(std::size_t f, const Frame& frame, const Paraboloid& surface) const {
-    double turn = 0.0, difference = 0.0;
+  /// The surface over face f as far as the normals across its edges bear it out: the paraboloid
+  /// where they are its own, the plane where they are the face's; beyond a knuckle they say nothing
+  /// of a plane.
+  Paraboloid borneOut(std::size_t f, const Frame& frame, Paraboloid surface) const {
+    double turn = 0.0, ofPlane = 0.0, difference = 0.0;
     for (const std::size_t g : acrossEdges(f)) {
       const Vec3 away = middle_[g] - frame.origin, turned = normal_[g] - normal_[f];
       const Eigen::Vector2d inPlane(frame.u.dot(away), frame.v.dot(away));
@@ -75,10 +78,14 @@ class Neighbourhood {
       const Eigen::Vector2d expected = -surface.Q * inPlane.normalized() * away.norm();
       turn = std::max(turn, found.norm());
       difference = std::max(difference, (found - expected).norm());
+      if (normal_[g].dot(normal_[f]) > kKnuckle) ofPlane = std::max(ofPlane, found.norm());
     }
-    if (!(turn > kFlat)) return 0.0;
-    return std::clamp((kUnlike - difference / turn) / (kUnlike - kAlike), 0.0, 1.0) *
-           std::clamp((kSharp - turn) / (kSharp - kGentle), 0.0, 1.0);
+    const double alike = turn > kFlat ? difference / turn : kUnlike;
+    surface.trust *= std::clamp((kUnlike - alike) / (kUnlike - kAlike), 0.0, 1.0) *
+                     std::clamp((kSharp - turn) / (kSharp - kGentle), 0.0, 1.0);
+    Paraboloid plane;
+    plane.trust = std::clamp((kHardlyFlat - ofPlane) / (kHardlyFlat - kFlat), 0.0, 1.0);
+    return plane.trust > surface.trust ? plane : surface;
   }
   /// Vertices of the faces that touch face f and do not lie beyond a crease.
   std::set<int> of(std::size_t f) const {
@@ -284,7 +291,7 @@ PanelMesh solverPanels(const SurfaceMesh& wet, bool symmetric, PanelShape shape)
   for (std::size_t f = 0; f < mesh.panels.size(); ++f) {
     const Frame frame(mesh.panels[f]);
     Paraboloid surface = paraboloid(whole, whole.faces[f], neighbours.of(f), frame);
-    if (shape == PanelShape::Auto) surface.trust *= neighbours.bearsOut(f, frame, surface);
+    if (shape == PanelShape::Auto) surface = neighbours.borneOut(f, frame, surface);
     panels.push_back(moved(mesh.panels[f], frame, surface));
     PanelPatch& patch = mesh.patches[f];
     patch.curved = surface.trust;
