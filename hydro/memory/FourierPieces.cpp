@@ -7,7 +7,7 @@ namespace cutwater::fourier {
 namespace {
 
 constexpr double kEulerGamma = 0.57721566490153286;
-constexpr int kLast = kGreatestPower + 3;
+constexpr int kLast = kGreatestPower + 4;
 
 /// Ascending series of j_n: θⁿ/(2n+1)!! Σ_k (−θ²/2)^k / (k! (2n+3)(2n+5)…(2n+2k+1)); to θ = 8 no
 /// more than three digits cancel.

@@ -27,9 +27,9 @@ std::array<double, 8> sphericalBessel8(double theta) noexcept;
 inline constexpr int kLeastPower = 3;      ///< slowest decay of a tail, (Ω/ω)³
 inline constexpr int kGreatestPower = 12;  ///< steepest
 
-/// E_n(−ia) = ∫₁^∞ t^{−n} e^{iat} dt for n = kLeastPower .. kGreatestPower + 3, a ≥ 0: transforms
+/// E_n(−ia) = ∫₁^∞ t^{−n} e^{iat} dt for n = kLeastPower .. kGreatestPower + 4, a ≥ 0: transforms
 /// of power-law tails [DLMF 8.19]. Absolute error below 1e-12.
-using TailTable = std::array<Complex, kGreatestPower + 4 - kLeastPower>;
+using TailTable = std::array<Complex, kGreatestPower + 5 - kLeastPower>;
 TailTable tailIntegrals(double a) noexcept;
 
 template <std::size_t N>

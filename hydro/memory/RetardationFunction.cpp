@@ -161,7 +161,8 @@ void RetardationFunction::fitPieces(std::span<const double> damping) {
 
 Complex RetardationFunction::tailTransform(const TailTable& table, int extraPower) const noexcept {
   const auto i = static_cast<std::size_t>(tailPower_ + extraPower - fourier::kLeastPower);
-  return tailValue_ * ((1.0 + tailMix_) * table[i] - tailMix_ * table[i + 1]);
+  return tailValue_ * ((1.0 + tailMix_ + tailBend_) * table[i] -
+                       (tailMix_ + 2.0 * tailBend_) * table[i + 1] + tailBend_ * table[i + 2]);
 }
 
 double RetardationFunction::operator()(double tau) const noexcept {
@@ -197,8 +198,8 @@ double RetardationFunction::dampingInCell(std::size_t cell, double omega) const 
 }
 
 double RetardationFunction::dampingInTail(double omega) const noexcept {
-  const double u = nodes_.back() / omega;
-  return tailValue_ * std::pow(u, tailPower_) * (1.0 + tailMix_ * (1.0 - u));
+  const double u = nodes_.back() / omega, v = 1.0 - u;
+  return tailValue_ * std::pow(u, tailPower_) * (1.0 + tailMix_ * v + tailBend_ * v * v);
 }
 
 double RetardationFunction::damping(double omega) const noexcept {

@@ -15,8 +15,9 @@ namespace cutwater {
 /// is known in closed form for every τ: no sampling in ω, no aliasing.
 ///
 /// Beyond the last frequency Ω the data are continued with value and slope by a tail that vanishes
-/// at ∞: B(Ω)[(1 + c)uⁿ − c uⁿ⁺¹], u = Ω/ω. n ≥ 3, the law of a wall-sided hull's waves, and c come
-/// from the slope of log B over [0.7 Ω, Ω]; where that is noise (B changes sign), u⁸.
+/// at ∞: B(Ω) uⁿ [1 + c(1 − u) + d(1 − u)²], u = Ω/ω. n ≥ 3, the law of a wall-sided hull's waves,
+/// and c come from the slope of log B over [0.7 Ω, Ω]; where that is noise (B changes sign), u⁸.
+/// d = 0, but for couplings that would outlast the modes they couple (RetardationMatrix.h).
 ///
 /// Since B vanishes at both ends ∫₀^∞ K dτ = 0, and A(∞) = A(ω) + (1/ω)∫₀^∞ K sin ωτ dτ for every ω
 /// [Ogilvie 1964]. Immutable, any thread may read it. Each call costs O(n), about 10 µs at n = 60.
@@ -48,7 +49,7 @@ class RetardationFunction {
   void fitPieces(std::span<const double> damping);
   double dampingInCell(std::size_t cell, double omega) const noexcept;
   double dampingInTail(double omega) const noexcept;
-  using TailTable = std::array<Complex, 13>;  // fourier::TailTable
+  using TailTable = std::array<Complex, 14>;  // fourier::TailTable
   /// ∫₁^∞ of the tail over t = ω/Ω, times t^{−extraPower} e^{iΩτt}.
   Complex tailTransform(const TailTable& table, int extraPower) const noexcept;
 
@@ -56,6 +57,7 @@ class RetardationFunction {
   std::vector<Piece> pieces_;
   double tailValue_ = 0.0;  // B(Ω)
   double tailMix_ = 0.0;    // c
+  double tailBend_ = 0.0;   // d
   int tailPower_ = 3;       // n
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -18,6 +19,7 @@ namespace cutwater {
 namespace {
 
 constexpr double kZeroPair = 1e-8;        // of √(B_jj B_kk): vanishes by symmetry
+constexpr double kPositive = 0.005;       // of a tail: negative by less is left
 constexpr double kNegligibleRest = 1e-3;  // of ∫|K|: may lie beyond the duration
 
 /// Size of B_jj of each mode: its maximum over ω, but not less than a trifle of the translations',
@@ -79,15 +81,50 @@ RetardationMatrix::RetardationMatrix(const Coefficients& coefficients, ForwardSp
   const std::size_t count = std::min(resolvedCount(coefficients), coefficients.damping.size());
   const auto& B = coefficients.damping;
   const auto mean = [&](std::size_t i, int j, int k) { return 0.5 * (B[i](j, k) + B[i](k, j)); };
-  const Sampler sampler{
-      std::span(coefficients.omega.data(), resolvedCount(coefficients)).first(count), scale, mean};
+  const std::span<const double> omega(coefficients.omega.data(), count);
+  const Sampler sampler{omega, scale, mean};
   for (int j = 0; j < 6; ++j) {
     for (int k = j; k < 6; ++k) {
       if (auto found = sampler.function(j, k)) entries_.push_back({j, k, std::move(*found)});
     }
   }
+  keepTailsPositive();
   duration_ = findDuration();
   addSpeedTerms(coefficients, scale);
+}
+
+/// Far beyond Ω a tail is (1 + c) B(Ω) uⁿ, with c from the slope of each entry by itself. B stays
+/// positive definite there if the matrix of these is. Where it is not, its couplings are lessened
+/// until it is, each by a d, so that value and slope at Ω stay.
+void RetardationMatrix::keepTailsPositive() {
+  const auto far = [](const RetardationFunction& f) { return (1.0 + f.tailMix_) * f.tailValue_; };
+  Vec6 own = Vec6::Zero(), power = own;
+  for (const Entry& e : entries_) {
+    if (e.j != e.k || far(e.function) <= 0.0) continue;
+    own[e.j] = std::sqrt(far(e.function));
+    power[e.j] = e.function.tailPower_;
+  }
+  // A coupling that dies at a greater power than its modes is nothing beside them.
+  const auto lasts = [&](const Entry& e) {
+    return e.j != e.k && own[e.j] > 0.0 && own[e.k] > 0.0 &&
+           2.0 * e.function.tailPower_ <= power[e.j] + power[e.k];
+  };
+  const auto beside = [&](const Entry& e) { return far(e.function) / (own[e.j] * own[e.k]); };
+  // Modes of one parity by themselves: those of the other have no part in what is wrong with them.
+  for (const int parity : {0, 1}) {
+    Mat6 matrix = Mat6::Identity();
+    for (const Entry& e : entries_)
+      if (lasts(e) && e.j % 2 == parity)
+        matrix(e.j, e.k) = matrix(e.k, e.j) = std::clamp(beside(e), -1.0, 1.0);
+    const Eigen::SelfAdjointEigenSolver<Mat6> eigen(matrix, Eigen::EigenvaluesOnly);
+    // I + s(M − I) has no eigenvalue below 0.
+    const double share = 1.0 / (1.0 - std::min(0.0, eigen.eigenvalues().minCoeff()));
+    for (Entry& e : entries_) {
+      if (!lasts(e) || e.j % 2 != parity) continue;
+      const double kept = share * std::clamp(beside(e), -1.0, 1.0) / beside(e);
+      if (kept < 1.0 - kPositive) e.function.tailBend_ = (kept - 1.0) * (1.0 + e.function.tailMix_);
+    }
+  }
 }
 
 void RetardationMatrix::addSpeedTerms(const Coefficients& c, const Vec6& scale) {

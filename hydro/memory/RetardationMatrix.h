@@ -28,7 +28,8 @@ using SpeedKernels = SpeedParts<Mat6>;
 /// A and B are symmetrised first: they are symmetric but for the solver's discretisation error, and
 /// a symmetric positive B gives a memory that cannot create energy. ∂A and ∂B are not symmetric.
 /// Pairs that vanish by symmetry, |B_jk| below 1e-8 of √(B_jj B_kk) at their maxima, are left out.
-/// Frequencies above Coefficients::resolvedOmega are left to the tail.
+/// Frequencies above Coefficients::resolvedOmega are left to the tails, which keep B positive:
+/// couplings that would outlast their modes are lessened beyond the data.
 class RetardationMatrix {
  public:
   /// @param form  of the forward-speed terms.
@@ -104,6 +105,7 @@ class RetardationMatrix {
   template <class Value>
   Mat6 ofX(Value value) const;
   Mat6 sineTransformX(double omega) const;
+  void keepTailsPositive();
   void addSpeedTerms(const Coefficients& coefficients, const Vec6& scale);
   double findDuration() const;
 
