@@ -13,6 +13,7 @@
 #include "hydro/database/IrregularFrequencies.h"
 #include "hydro/database/SweepJournal.h"
 #include "hydro/geometry/panels/WetSurface.h"
+#include "hydro/incident/LackingRestoring.h"
 
 namespace cutwater {
 namespace {
@@ -81,7 +82,9 @@ class Sweep {
         matrices_(panels(out.wet(), settings), influence(settings, threads)),
         normals_(matrices_.mesh(), out.ship.cog, out.ship.wetSurface),
         derivative_(out.ship.wetSurface, matrices_.mesh()),
-        faces_(out.wet().faces()) {
+        faces_(out.wet().faces()),
+        lacking_(out.wet().whole(), out.ship.hull, out.ship.restoring, out.ship.cog,
+                 out.ship.density, out.ship.gravity) {
     const std::size_t count = out_.omega.size();
     out_.addedMass.values.resize(count);
     out_.damping.values.resize(count);
@@ -175,7 +178,8 @@ class Sweep {
     const ShipParticulars& ship = out_.ship;
     for (std::size_t h = 0; h < out_.headings.size(); ++h) {
       const AiryWave wave{out_.omega[i], out_.headings[h], ship.gravity};
-      out_.froudeKrylov[h][i] = froudeKrylovForce(faces_, wave, ship.cog, ship.density);
+      out_.froudeKrylov[h][i] =
+          froudeKrylovForce(faces_, wave, ship.cog, ship.density) + lacking_.force(wave);
       out_.diffraction[h][i] =
           out_.omega[i] * diffractionForce(b.omega, matrices_.mesh(), wave, ship.cog);
     }
@@ -187,6 +191,7 @@ class Sweep {
   ModeNormals normals_;
   XDerivative derivative_;
   PanelMesh faces_;  // the surface without the gaps of flattening, for F_I
+  LackingRestoring lacking_;
 };
 
 /// All that the journal does not hold yet, shared out among the threads.

@@ -194,7 +194,8 @@ void ExcitationTable::makeRows(const Coefficients& c) {
   }
   const auto fill = [&](const AiryWave& wave, double* at) {
     if (hasVectors_) {
-      put(froudeKrylovForce(faces, wave, symmetric_, c.ship.density), at);
+      put(froudeKrylovForce(faces, wave, symmetric_, c.ship.density) + direct.lacking().force(wave),
+          at);
       enter(incidentNormalVelocity(panels, wave, symmetric_), at + 12);
     } else {
       const auto force = direct.at(wave.omega, wave.heading);

@@ -107,6 +107,9 @@ WaveExcitation::WaveExcitation(const CoefficientTables& coefficients, ForwardSpe
   if (wet.empty()) return;
   panels_ = wet.panels();
   faces_ = wet.faces();
+  const ShipParticulars& ship = coefficients.ship;
+  lacking_ = LackingRestoring(wet.whole(), ship.hull, ship.restoring, ship.cog, ship.density,
+                              ship.gravity);
 }
 
 WaveExcitation::Force WaveExcitation::at(double omegaI, double heading, double speed) const {
@@ -131,7 +134,8 @@ CVec6 WaveExcitation::froudeKrylov(double omegaI, double heading) const {
   checkOmega(coefficients_, omegaI);
   if (panels_.panels.empty()) return fromTables(omegaI, heading).froudeKrylov;
   const ShipParticulars& ship = coefficients_.ship;
-  return froudeKrylovForce(faces_, {omegaI, heading, ship.gravity}, ship.cog, ship.density);
+  const AiryWave wave{omegaI, heading, ship.gravity};
+  return froudeKrylovForce(faces_, wave, ship.cog, ship.density) + lacking_.force(wave);
 }
 
 CVec6 WaveExcitation::fromVectors(const AiryWave& wave, double speed) const {

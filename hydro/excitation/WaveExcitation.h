@@ -2,6 +2,7 @@
 #include "hydro/database/Coefficients.h"
 #include "hydro/geometry/panels/PanelMesh.h"
 #include "hydro/incident/IncidentWaveForce.h"
+#include "hydro/incident/LackingRestoring.h"
 
 namespace cutwater {
 
@@ -46,6 +47,8 @@ class WaveExcitation {
   Force at(double omegaI, double heading, double speed = 0.0) const;
   /// F_I alone; it does not depend on the speed.   @throws as at().
   CVec6 froudeKrylov(double omegaI, double heading) const;
+  /// The part of F_I that goes with the hull's restoring instead of its panels'.
+  const LackingRestoring& lacking() const noexcept { return lacking_; }
 
  private:
   CVec6 fromVectors(const AiryWave& wave, double speed) const;
@@ -56,6 +59,7 @@ class WaveExcitation {
   ForwardSpeedForm form_;
   PanelMesh panels_;  // the solver's
   PanelMesh faces_;   // its surface without gaps, for F_I
+  LackingRestoring lacking_;
 };
 
 }  // namespace cutwater

@@ -10,8 +10,18 @@ SurfaceMesh wholeWet(const PanelledHull& hull) {
   return hull.symmetric ? bothHalves(hull.panels) : hull.panels;
 }
 
+namespace {
+
+/// What the ship displaces: the part of its hull below calm water, both sides.
+SurfaceMesh displacing(const PanelledHull& hull) {
+  if (hull.surface.faces.empty()) return wholeWet(hull);
+  return wholeWetSurface({hull.surface, hull.symmetric, false});
+}
+
+}  // namespace
+
 Afloat afloat(const PanelledHull& hull, const Loading& loading, const Water& water) {
-  const SurfaceMesh wet = wholeWet(hull);
+  const SurfaceMesh wet = displacing(hull);
   Vec3 cog = loading.cog;
   if (loading.level) {
     const Vec3 buoyancy = hydrostatics(wet, cog, water.density, water.gravity).buoyancy;

@@ -46,7 +46,7 @@ struct Afloat {
 ///     const Loading loading{.cog = {0, 0, 1.29}, .level = true};
 ///     ShipParticulars ship = afloat(panelledAsItIs(hull), loading).ship;
 /// Fills everything but the name: hull and panels, mass, centre of gravity, gyradii, volume, centre
-/// of buoyancy, C. Volume and C are those of the panels, which are what the solver sees.
+/// of buoyancy, C. Volume and C are the hull's; panels, inscribed in it, would lack some.
 /// @throws HydroError as hydrostatics.
 Afloat afloat(const PanelledHull& hull, const Loading& loading = {}, const Water& water = {});
 

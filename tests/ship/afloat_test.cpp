@@ -47,6 +47,21 @@ TEST(Afloat, WhatIsGivenIsKept) {
   EXPECT_TRUE(ship.symmetric);
 }
 
+// Panels are inscribed in the hull, so that they lack volume; the ship's mass, volume and C are the
+// hull's, to the round-off of 2000 m³.
+TEST(AfloatIdentity, AShipHasTheHydrostaticsOfItsHullNotOfItsPanels) {
+  const Vec3 cog(-2.4, 0.0, 1.29);
+  const SurfaceMesh surface = closedFrigate(48, 14);
+  const Afloat own = afloat({surface, wetFrigate(48, 14), true}, {.cog = cog});
+  const Afloat coarse = afloat({surface, wetFrigate(16, 4), true}, {.cog = cog});
+  const Afloat panelsAlone = afloat({{}, wetFrigate(16, 4), true}, {.cog = cog});
+  EXPECT_NEAR(coarse.ship.volume, own.ship.volume, 1e-9 * own.ship.volume);
+  EXPECT_NEAR(coarse.ship.mass, own.ship.mass, 1e-9 * own.ship.mass);
+  EXPECT_LT((coarse.ship.restoring - own.ship.restoring).norm(), 1e-9 * own.ship.restoring.norm());
+  EXPECT_LT(panelsAlone.ship.volume, 0.99 * own.ship.volume);
+  EXPECT_EQ(coarse.ship.wetSurface.faces.size(), panelsAlone.ship.wetSurface.faces.size());
+}
+
 // C46 = −ρgV(x_B − x_G) is the moment that would trim the ship.
 TEST(AfloatIdentity, ALevelShipHasNoMomentAtRest) {
   const FrigateDivision division = frigateDivision(224);

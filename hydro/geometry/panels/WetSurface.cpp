@@ -5,6 +5,11 @@
 
 namespace cutwater {
 
+SurfaceMesh WetSurface::whole() const {
+  const SurfaceMesh triangles = triangulated(mesh_);
+  return symmetric_ ? bothHalves(triangles) : triangles;
+}
+
 PanelMesh WetSurface::panels() const { return solverPanels(mesh_, symmetric_, shape_); }
 
 PanelMesh WetSurface::panelsWithLid(double lidPanelLength) const {

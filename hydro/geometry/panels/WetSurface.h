@@ -18,6 +18,8 @@ class WetSurface {
       : mesh_(mesh), symmetric_(symmetric), shape_(shape) {}
 
   bool empty() const noexcept { return mesh_.faces.empty(); }
+  /// The triangles of faces() as a mesh, both sides.
+  SurfaceMesh whole() const;
   /// Panels of the hull on which the solver works; adjoint vectors belong to them.
   /// @throws HydroError as makePanels.
   PanelMesh panels() const;

@@ -1,0 +1,39 @@
+#pragma once
+#include "hydro/geometry/SurfaceMesh.h"
+#include "hydro/waves/Wave.h"
+
+namespace cutwater {
+
+/// The part of F_I that panels inscribed in a hull lack. C is that of the hull, and a wave much
+/// longer than the ship must lift and tilt it as the water itself: F_I → C η_w, η_w the heave, roll
+/// and pitch of the water. Panels give their own C instead, off by the second order of their size
+/// (GM of a frigate of 433: 3 %). What is missing goes with the plane that fits the water over the
+/// waterplane best, by least squares:
+///     ΔF_I = (C − C_panels) η_w
+/// In shorter waves η_w vanishes as that fit does.
+///     const LackingRestoring lacking(wet, ship.hull, ship.restoring, ship.cog, density, gravity);
+///     const CVec6 force = froudeKrylovForce(…) + lacking.force(wave);
+class LackingRestoring {
+ public:
+  /// Nothing is lacking.
+  LackingRestoring() = default;
+  /// Nothing, too, without a hull, or if `restoring` is not the hull's (a database made otherwise).
+  /// @param wet        the surface over which F_I is integrated, both sides, hull axes [m].
+  /// @param hull       what it stands for, both sides, above water too [m].
+  /// @param restoring  C of the ship about `cog`.
+  LackingRestoring(const SurfaceMesh& wet, const SurfaceMesh& hull, const Mat6& restoring,
+                   const Vec3& cog, double density, double gravity);
+
+  /// ΔF_I per metre of amplitude, crest over G.  O(edges of the waterline), no allocation.
+  CVec6 force(const AiryWave& wave) const;
+
+ private:
+  /// A point of the waterplane: its place from G [m] and the area for which it stands [m²].
+  struct Point {
+    double x, y, area;
+  };
+  std::vector<Point> points_;
+  Eigen::Matrix<double, 6, 3> difference_ = Eigen::Matrix<double, 6, 3>::Zero();  ///< by a, b, c
+};
+
+}  // namespace cutwater
