@@ -874,8 +874,12 @@ class Errors(Files):
         ):
             self.refused(["simulate", self.path("r.toml", text)], *words)
 
-    def test_default_wave_frequencies_stay_within_omega(self):
-        for omega, expected in (("[0.5, 0.75, 1.0]", (11, 0.5, 1.0)),
+    def test_default_frequencies_follow_from_the_length(self):
+        """Waves are multiples of 0.18 sqrt(g/L), those within omega; without omega 60 of 0.36."""
+        ship = self.path("s.toml", SHIP)
+        found = {row["name"]: float(row["value"]) for row in table("hydrostatics", ship)}
+        unit = math.sqrt(9.80665 / found["length"])
+        for omega, expected in (("[0.5, 0.75, 1.0]", (10, 0.18 * 10 * unit, 0.18 * 19 * unit)),
                                 ("[3.0, 4.0]", (2, 3.0, 4.0))):
             ship = self.path("s.toml", SHIP + f"[solve]\nomega = {omega}\nlid = false\n")
             database = self.path("s.h5")
@@ -884,8 +888,16 @@ class Errors(Files):
             rows = table("excitation", database, "--heading", "180")
             waves = sorted({float(row["omega"]) for row in rows})
             self.assertEqual(len(waves), expected[0])
-            self.assertAlmostEqual(waves[0], expected[1])
-            self.assertAlmostEqual(waves[-1], expected[2])
+            self.assertAlmostEqual(waves[0], expected[1], delta=1e-6)
+            self.assertAlmostEqual(waves[-1], expected[2], delta=1e-6)
+        ship = self.path("s.toml", SHIP)
+        done = call("solve", ship, "-o", self.path("s.h5"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        told = {row["name"]: row["value"] for row in table("info", self.path("s.h5"))}
+        self.assertEqual(float(told["frequencies"]), 60)
+        self.assertAlmostEqual(float(told["omega_first"]), 0.36 * unit, delta=1e-6)
+        self.assertAlmostEqual(float(told["omega_last"]), 60 * 0.36 * unit, delta=1e-6)
+        self.assertTrue(told["verdict"].startswith("good for the frequency and the time domain"))
 
     def test_missing_and_damaged_files_are_named(self):
         self.refused(["info", self.path("none.h5")], "none.h5")

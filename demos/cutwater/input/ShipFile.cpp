@@ -51,11 +51,8 @@ void readSupplementary(TomlSection section, Supplementary& terms) {
 }
 
 // Frequencies as given, increasing and above 0.
-std::vector<double> frequencies(TomlSection& section, const std::string& key, double from,
-                                double to, double step) {
-  std::vector<double> fallback;
-  const int count = static_cast<int>(std::lround((to - from) / step));
-  for (int i = 0; i <= count; ++i) fallback.push_back(from + i * step);
+std::vector<double> frequencies(TomlSection& section, const std::string& key,
+                                const std::vector<double>& fallback) {
   const std::vector<double> values = section.numbers(key, fallback, 1e-3, 1e3);
   for (std::size_t i = 0; i + 1 < values.size(); ++i) {
     if (values[i + 1] <= values[i]) section.refuse(key, "must increase");
@@ -64,9 +61,10 @@ std::vector<double> frequencies(TomlSection& section, const std::string& key, do
   return values;
 }
 
-// As given; absent: 0.2..2 as far as `omega` goes, or all of `omega` if it has nothing there.
-std::vector<double> waveFrequencies(TomlSection& solve, const std::vector<double>& omega) {
-  std::vector<double> values = frequencies(solve, "wave_omega", 0.2, 2.0, 0.05);
+// As given; absent: the usual ones as far as `omega` goes, or all of `omega` if it has none there.
+std::vector<double> waveFrequencies(TomlSection& solve, const std::vector<double>& omega,
+                                    const ShipParticulars& ship) {
+  std::vector<double> values = frequencies(solve, "wave_omega", usualWaveOmega(ship));
   const double first = omega.front() * (1.0 - 1e-9), last = omega.back() * (1.0 + 1e-9);
   if (solve.has("wave_omega")) {
     if (values.back() > last) {
@@ -154,9 +152,9 @@ std::vector<double> headings(TomlSection& solve) {
   return distinct;
 }
 
-void readSolve(TomlSection solve, SolveSettings& settings) {
-  settings.omega = frequencies(solve, "omega", 0.1, 6.0, 0.1);
-  settings.waveOmega = waveFrequencies(solve, settings.omega);
+void readSolve(TomlSection solve, const ShipParticulars& ship, SolveSettings& settings) {
+  settings.omega = frequencies(solve, "omega", usualOmega(ship));
+  settings.waveOmega = waveFrequencies(solve, settings.omega, ship);
   settings.headings = headings(solve);
   settings.speeds = solve.numbers("speeds", {0.0}, 0.0, 100.0);
   std::sort(settings.speeds.begin(), settings.speeds.end());
@@ -213,7 +211,7 @@ ShipFile readShipFile(const std::string& path) {
   ship.particulars = std::move(floating.ship);
   ship.hydrostatics = floating.hydrostatics;
   ship.particulars.name = std::filesystem::absolute(path).parent_path().filename().string();
-  readSolve(file.section("solve"), ship.solve);
+  readSolve(file.section("solve"), ship.particulars, ship.solve);
   file.root().finish();
   warnIfUnbalanced(path, ship);
   return ship;

@@ -12,11 +12,17 @@ namespace cutwater {
 /// constant outside; empty: no mask.                                             [M03] 5.7
 using ConditionLimit = std::vector<std::pair<double, double>>;
 
-/// What to solve for. Only `omega` must be set; the other defaults suit any ship. For a ship under
-/// way choose steps up to 0.36 √(g/L) and frequencies up to 3 √(g/B): 0.1 rad/s for a length of
-/// 120 m, 2.5 rad/s for a beam of 14 m.
+/// Frequencies that suit a ship of any size, by Froude's law: sixty steps of 0.36 √(g/L) [rad/s], L
+/// the length of the wet surface; 0.1 to 6 rad/s for 125 m, 0.8 to 48 rad/s for a model of 2 m. A
+/// ship under way needs steps no longer, and 3 √(g/B), which they reach (decision 0070).
+std::vector<double> usualOmega(const ShipParticulars& ship);
+/// Waves that matter to it: 0.72 to 7.2 √(g/L) in steps of 0.18, so the ship is 0.08 to 8 waves
+/// long; 0.2 to 2 rad/s for 125 m.
+std::vector<double> usualWaveOmega(const ShipParticulars& ship);
+
+/// What to solve for. Only `omega` must be set; the other defaults suit any ship.
 ///     SolveSettings settings;
-///     for (int i = 1; i <= 60; ++i) settings.omega.push_back(0.1 * i);
+///     settings.omega = usualOmega(ship);
 ///     settings.headings = {kPi};
 struct SolveSettings {
   std::vector<double> omega;      ///< ω_e [rad/s]: finite, > 0, strictly increasing
