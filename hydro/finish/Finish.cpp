@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "hydro/database/Interpolation.h"
 #include "hydro/finish/ConsistentLimit.h"
 #include "hydro/finish/GridNeeds.h"
 #include "hydro/finish/Mask.h"
@@ -13,7 +16,7 @@ namespace {
 void symmetrise(Coefficients& c) {
   c.provenance.settings +=
       fmt::format("added_mass_asymmetry = {:.3g}\ndamping_asymmetry = {:.3g}\n",
-                  asymmetry(c.addedMass), asymmetry(c.damping));
+                  asymmetry(c.addedMass, resolvedCount(c)), asymmetry(c.damping, resolvedCount(c)));
   for (auto* matrices : {&c.addedMass, &c.damping}) {
     for (Mat6& m : *matrices) m = (0.5 * (m + m.transpose())).eval();
   }
@@ -53,9 +56,10 @@ Coefficients finish(SolverOutput output) {
   return c;
 }
 
-double asymmetry(const OverFrequency<Mat6>& matrices) {
+double asymmetry(const OverFrequency<Mat6>& matrices, std::size_t count) {
   Mat6 scale = Mat6::Zero(), worst = Mat6::Zero();
-  for (const Mat6& m : matrices) {
+  for (std::size_t i = 0; i < std::min(count, matrices.size()); ++i) {
+    const Mat6& m = matrices[i];
     const Vec6 size = m.diagonal().cwiseAbs().cwiseSqrt();
     scale = scale.cwiseMax(size * size.transpose());
     worst = worst.cwiseMax((m - m.transpose()).cwiseAbs());

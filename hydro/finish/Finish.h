@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+
 #include "hydro/database/SolverOutput.h"
 
 namespace cutwater {
@@ -19,8 +21,8 @@ namespace cutwater {
 ///         ValueOutOfRange, FrequenciesNotIncreasing: bad condition limits.
 Coefficients finish(SolverOutput output);
 
-/// Largest |X_jk − X_kj| over the grid, of √(X_jj X_kk) at its largest: discretisation error in A
-/// and B.
-double asymmetry(const OverFrequency<Mat6>& matrices);
+/// Largest |X_jk − X_kj| at the first `count` frequencies, of √(X_jj X_kk) at its largest there:
+/// discretisation error in A and B.
+double asymmetry(const OverFrequency<Mat6>& matrices, std::size_t count = SIZE_MAX);
 
 }  // namespace cutwater

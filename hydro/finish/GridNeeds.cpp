@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "hydro/database/Interpolation.h"
 
@@ -28,6 +29,12 @@ std::string stepOf(const GridNeeds& grid) {
 }
 std::string lastOf(const GridNeeds& grid) {
   return needed(grid.neededLast, kLast, "sqrt(g/beam)", true);
+}
+
+/// Of a line `key = number` in the solver's settings; 0 without one.
+double numberIn(const std::string& settings, const std::string& key) {
+  const std::size_t at = settings.find(key + " = ");
+  return at == std::string::npos ? 0.0 : std::strtod(&settings[at + key.size() + 3], nullptr);
 }
 
 }  // namespace
@@ -77,20 +84,48 @@ std::vector<Resonance> hinderingResonances(const CoefficientTables& c,
   return resonances(c, memory, limit.median);
 }
 
-std::optional<NegativeDamping> negativeDamping(const CoefficientTables& c) {
+std::vector<NegativeDamping> negativeDampings(const CoefficientTables& c) {
   constexpr double kRoundOff = -0.01;
-  std::optional<NegativeDamping> worst;
+  std::vector<NegativeDamping> found;
+  const std::size_t count = std::min(resolvedCount(c), c.damping.size());
   for (int j = 0; j < 6; ++j) {
     double largest = 0.0;
-    for (std::size_t i = 0; i < resolvedCount(c); ++i)
+    for (std::size_t i = 0; i < count; ++i)
       largest = std::max(largest, std::abs(c.damping[i](j, j)));
-    for (std::size_t i = 0; i < resolvedCount(c); ++i) {
-      const double share = largest > 0.0 ? c.damping[i](j, j) / largest : 0.0;
-      if (share < (worst ? worst->share : kRoundOff))
-        worst = NegativeDamping{static_cast<Mode>(j), c.omega[i], share};
-    }
+    NegativeDamping worst{static_cast<Mode>(j), 0.0, kRoundOff};
+    for (std::size_t i = 0; i < count && largest > 0.0; ++i)
+      if (const double share = c.damping[i](j, j) / largest; share < worst.share)
+        worst = {worst.mode, c.omega[i], share};
+    if (worst.omega > 0.0) found.push_back(worst);
   }
-  return worst;
+  return found;
+}
+
+std::optional<NegativeDamping> negativeDamping(const CoefficientTables& c) {
+  const std::vector<NegativeDamping> all = negativeDampings(c);
+  const auto worst = std::min_element(
+      all.begin(), all.end(), [](const auto& a, const auto& b) { return a.share < b.share; });
+  return worst == all.end() ? std::nullopt : std::optional(*worst);
+}
+
+std::vector<std::string> panelWarnings(const CoefficientTables& c) {
+  constexpr double kMostAsymmetry = 0.1;
+  std::vector<std::string> lines;
+  for (const NegativeDamping& negative : negativeDampings(c))
+    lines.push_back(
+        fmt::format("the panels do not carry the damping in {} near {:.3g} rad/s, where it is "
+                    "{:.2g} % of its largest: use a finer mesh",
+                    kModeNames[negative.mode], negative.omega, 100.0 * negative.share));
+  for (const auto& [key, what] :
+       {std::pair{"added_mass_asymmetry", "A"}, {"damping_asymmetry", "B"}}) {
+    const double asymmetry = numberIn(c.provenance.settings, key);
+    if (asymmetry > kMostAsymmetry)
+      lines.push_back(
+          fmt::format("{} differs from its transpose by {:.2g} %: the panels do not "
+                      "carry its couplings, use a finer mesh",
+                      what, 100.0 * asymmetry));
+  }
+  return lines;
 }
 
 std::string unfinishedReason(const GridNeeds& grid, const ConsistentLimit& limit,

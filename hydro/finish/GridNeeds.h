@@ -38,15 +38,22 @@ std::vector<Resonance> hinderingResonances(const CoefficientTables& coefficients
                                            const RetardationMatrix& memory,
                                            const ConsistentLimit& limit, const GridNeeds& grid);
 
-/// The most negative diagonal damping below `resolvedOmega`, which no real ship has.
+/// A negative diagonal damping below `resolvedOmega`, which no real ship has.
 struct NegativeDamping {
   Mode mode;
   double omega;  ///< [rad/s]
   double share;  ///< of the mode's largest damping, < 0
 };
-/// Absent where no B_jj is below −1 % of its largest value; less is the solver's error where B
-/// nearly vanishes.
+/// The most negative of each mode; none where no B_jj is below −1 % of its largest value: less is
+/// the solver's error where B nearly vanishes.
+std::vector<NegativeDamping> negativeDampings(const CoefficientTables& coefficients);
+/// The most negative of all modes.
 std::optional<NegativeDamping> negativeDamping(const CoefficientTables& coefficients);
+
+/// What the panels do not carry below `resolvedOmega`, a line each, with mode, frequency and size:
+/// damping below zero; A or B that differ from their transposes, as the solver found them, by more
+/// than a tenth of √(A_jj A_kk). Empty: nothing to say.
+std::vector<std::string> panelWarnings(const CoefficientTables& coefficients);
 
 /// Why these coefficients, whose limit is not to be trusted, have no memory.
 std::string unfinishedReason(const GridNeeds& grid, const ConsistentLimit& limit,

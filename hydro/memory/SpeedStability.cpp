@@ -17,11 +17,15 @@ constexpr double kSlowSurge = 5.0;  // of OwnEquation::least
 
 bool isCourse(const GrowingMotion& motion) { return motion.mode == Sway || motion.mode == Yaw; }
 
-/// The first motion that is outside the theory; null if none grows.
-const GrowingMotion* outsideTheory(const std::vector<GrowingMotion>& growing, double least) {
+/// The first motion that is outside the theory; null if none grows. A ship that capsizes at rest
+/// for want of stability does so rightly.
+const GrowingMotion* outsideTheory(const std::vector<GrowingMotion>& growing, double least,
+                                   const ShipParticulars& ship) {
   for (const GrowingMotion& motion : growing) {
     const bool slow = motion.mode == Surge && motion.s.real() < kSlowSurge * least;
-    if (!isCourse(motion) && !slow) return &motion;
+    const bool capsizes =
+        ship.restoring(motion.mode, motion.mode) + ship.supplementary.stiffness[motion.mode] < 0.0;
+    if (!isCourse(motion) && !slow && !capsizes) return &motion;
   }
   return nullptr;
 }
@@ -48,11 +52,11 @@ std::optional<double> lowestSpeed(double last, const std::function<bool(double)>
   return {};
 }
 
-GrowthLimit limitOf(const OwnEquation& equation, double last) {
+GrowthLimit limitOf(const OwnEquation& equation, double last, const ShipParticulars& ship) {
   GrowthLimit limit;
   limit.speed = lowestSpeed(last, [&](double speed) {
     const std::vector<GrowingMotion> growing = equation.growing(speed);
-    const GrowingMotion* found = outsideTheory(growing, equation.least());
+    const GrowingMotion* found = outsideTheory(growing, equation.least(), ship);
     if (found != nullptr) limit.mode = found->mode;
     return found != nullptr;
   });
@@ -71,8 +75,8 @@ SpeedStability speedStability(const CoefficientTables& c, const RadiationModel& 
   if (!(c.ship.gyradii.minCoeff() > 0.0) || !(c.ship.mass > 0.0) || !(last > 0.0)) return found;
   const OwnEquation equation(c, model);
   found.checkedTo = last;
-  found.ahead = limitOf(equation, last);
-  found.astern = limitOf(equation, -0.5 * last);
+  found.ahead = limitOf(equation, last, c.ship);
+  found.astern = limitOf(equation, -0.5 * last, c.ship);
   found.course = lowestSpeed(last, [&](double speed) {
     const std::vector<GrowingMotion> growing = equation.growing(speed, true);
     return std::any_of(growing.begin(), growing.end(), isCourse);

@@ -11,6 +11,7 @@ namespace cutwater {
 /// - Surge, heave, roll or pitch that grow are outside the theory: it feeds the ship energy.
 /// - Sway and yaw that grow slowly are Munk's moment, which every hull without a helm has. They
 ///   count for `course` alone, with the lift of the hull.
+/// - A mode of negative stiffness (a GM below 0) grows at rest, rightly, and is not looked at.
 /// - Surge that grows more slowly than 5·10⁻³√(g/L) counts for nothing: the resistance that this
 ///   theory lacks damps it ten times faster.
 /// @param last [m/s] > 0.  @return nothing checked where the radii of gyration are not known.

@@ -1,5 +1,7 @@
 #include "hydro/solve/Solve.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "hydro/bem/BuildCoefficients.h"
@@ -35,6 +37,24 @@ std::vector<std::string> gridWarnings(const Coefficients& c) {
   if (std::string resonances = resonanceWarning(c); !resonances.empty())
     lines.push_back(std::move(resonances));
   return lines;
+}
+
+std::string verdict(const Coefficients& c) {
+  std::vector<std::string> against = panelWarnings(c);
+  if (c.status == CoefficientStatus::Unfinished) {
+    against.insert(against.begin(), c.unfinishedBecause);
+    return fmt::format("good for the frequency domain only, at its own frequencies: {}",
+                       fmt::join(against, "; "));
+  }
+  const std::vector<std::string> ofGrid = gridWarnings(c);
+  against.insert(against.end(), ofGrid.begin(), ofGrid.end());
+  const std::vector<std::string> ofSpeed = describe(c.stability);
+  against.insert(against.end(), ofSpeed.begin(), ofSpeed.end());
+  std::string line = c.status == CoefficientStatus::Given
+                         ? "used as another program gave it, in the frequency and the time domain"
+                         : "good for the frequency and the time domain";
+  if (!against.empty()) line += fmt::format(", but: {}", fmt::join(against, "; "));
+  return line;
 }
 
 ImpulseResponse impulseResponse(const Coefficients& coefficients, double step, double duration) {

@@ -37,6 +37,10 @@ Coefficients solve(const ShipParticulars& ship, const SolveSettings& settings,
 /// range that would do. Empty: nothing to say.
 std::vector<std::string> gridWarnings(const Coefficients& coefficients);
 
+/// What coefficients are good for, in one line of plain words: which domains, and all that
+/// gridWarnings and the panels' own warnings (finish/GridNeeds.h) say against it.
+std::string verdict(const Coefficients& coefficients);
+
 /// K⁰ at 0, Δτ, 2Δτ, …, for programs that read it from the file; empty for unfinished coefficients.
 /// @param step, duration [s]. @throws HydroError ValueOutOfRange unless 0 < step ≤ duration ≤ 10⁶
 ///        step.

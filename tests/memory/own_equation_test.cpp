@@ -56,6 +56,16 @@ TEST(OwnEquationClosedForm, AShipThatIsNotStableUprightFallsOver) {
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(found[0].s.real(), 1.0, 1e-6);  // √(1.2/(1 + 0.2))
   EXPECT_EQ(found[0].mode, Roll);
+  // Rightly, and at rest: no speed is to blame. A stiffness that the user adds holds it.
+  EXPECT_FALSE(stabilityOf(c, 1.0).ahead.speed.has_value());
+  EXPECT_TRUE(describe(stabilityOf(c, 1.0)).empty());
+  c.ship.supplementary.stiffness[Roll] = 2.0;
+  EXPECT_TRUE(growing(c, 0.0).empty());
+}
+
+TEST(SpeedStability, WhatGrowsAtRestAgainstItsStiffnessIsOutsideTheTheory) {
+  Coefficients c = plainShip();
+  c.ship.supplementary.damping[Roll] = -0.1;
   const SpeedStability s = stabilityOf(c, 1.0);
   EXPECT_EQ(s.ahead.speed, 0.0);
   EXPECT_EQ(s.ahead.mode, Roll);

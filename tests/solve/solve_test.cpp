@@ -8,6 +8,7 @@
 #include "hydro/bem/BuildCoefficients.h"
 #include "hydro/excitation/WaveExcitation.h"
 #include "hydro/finish/Finish.h"
+#include "hydro/finish/GridNeeds.h"
 #include "hydro/geometry/shapes/Shapes.h"
 #include "hydro/memory/RetardationMatrix.h"
 #include "hydro/response/FrequencyResponse.h"
@@ -82,6 +83,80 @@ TEST(Solve, GridWarningsSayWhatWouldDo) {
   const Coefficients one = solve(floatingSphere(), upTo(1));
   ASSERT_EQ(gridWarnings(one).size(), 1u);
   EXPECT_NE(gridWarnings(one).front().find(one.unfinishedBecause), std::string::npos);
+}
+
+/// A hull λ times as large; panels that are not its own faces, a lid, both speeds of the tables.
+Coefficients solvedAtScale(double scale) {
+  SurfaceMesh hull = closedFrigate(32, 10), panels = wetFrigate(16, 4);
+  for (SurfaceMesh* mesh : {&hull, &panels})
+    for (Vec3& vertex : mesh->vertices) vertex *= scale;
+  const ShipParticulars ship =
+      afloat({hull, panels, true}, {.cog = scale * Vec3(-2.4, 0.0, 1.29), .level = true}).ship;
+  SolveSettings settings;
+  settings.omega = usualOmega(ship);
+  settings.headings = {kPi, 2.0};
+  settings.threads = 2;
+  return solve(ship, settings);
+}
+
+// Froude's law: of a hull λ times as large in the same water, time goes with √λ, and every number
+// of the database with its own power of λ, the default frequencies included. To the solver's
+// refinement, 1e-12 times condition numbers up to 1e3, of each matrix's largest entry.
+TEST(SolveIdentity, ModelsAndGiantsFollowFroudesLaw) {
+  constexpr double kRefined = 1e-9;
+  const Coefficients one = solvedAtScale(1.0);
+  const double L = one.ship.length();
+  for (const double scale : {2.0 / L, 450.0 / L}) {
+    SCOPED_TRACE(scale);
+    const Coefficients other = solvedAtScale(scale);
+    const double time = std::sqrt(scale);
+    ASSERT_EQ(other.omega.size(), one.omega.size());
+    EXPECT_EQ(other.status, one.status);
+    const Vec6 arms = (Vec6() << 1, 1, 1, scale, scale, scale).finished();
+    const auto apart = [&](const Mat6& a, const Mat6& b, double power) {
+      const Mat6 unscaled = arms.cwiseInverse().asDiagonal() * b * arms.cwiseInverse().asDiagonal();
+      return (unscaled * std::pow(scale, -power) - a).cwiseAbs().maxCoeff() /
+             a.cwiseAbs().maxCoeff();
+    };
+    const auto forcesApart = [&](const CVec6& a, const CVec6& b) {
+      return (arms.cwiseInverse().cwiseProduct(b) / (scale * scale) - a).norm() / a.norm();
+    };
+    EXPECT_LT(apart(one.ship.restoring, other.ship.restoring, 2.0), kRefined);
+    EXPECT_LT(apart(one.addedMass.atInfinity, other.addedMass.atInfinity, 3.0), kRefined);
+    for (std::size_t i = 0; i < one.omega.size(); ++i) {
+      EXPECT_NEAR(other.omega[i] * time / one.omega[i], 1.0, 1e-12);
+      EXPECT_LT(apart(one.addedMass[i], other.addedMass[i], 3.0), kRefined) << i;
+      EXPECT_LT(apart(one.damping[i], other.damping[i], 2.5), kRefined) << i;
+      for (std::size_t h = 0; h < one.headings.size(); ++h) {
+        EXPECT_LT(forcesApart(one.froudeKrylov[h][i], other.froudeKrylov[h][i]), kRefined) << i;
+        EXPECT_LT(forcesApart(one.diffraction[h][i], other.diffraction[h][i]), kRefined) << i;
+      }
+    }
+    EXPECT_NEAR(other.stability.checkedTo / time / one.stability.checkedTo, 1.0, 1e-9);
+    const RetardationMatrix here(one), there(other);
+    for (const double tau : {0.0, 2.0, 8.0})
+      EXPECT_LT(apart(here.at(tau), there.at(tau * time), 2.0), 1e3 * kRefined) << tau;
+  }
+}
+
+// What a user is told: nothing against a good database; of one whose panels are too large, which
+// coefficients they do not carry, where, and how much.
+TEST(Solve, TheVerdictSaysWhatCoefficientsAreGoodFor) {
+  const Coefficients good = solve(floatingSphere(), upTo(12));
+  EXPECT_TRUE(panelWarnings(good).empty());
+  EXPECT_EQ(verdict(good).find("good for the frequency and the time domain"), 0u);
+
+  const PanelledHull box{closedBox({40.0, 10.0, 3.0, 2.0}, 14, 4, 3),
+                         wetBox({40.0, 10.0, 3.0, 2.0}, 14, 4, 3), true};
+  SolveSettings settings;
+  for (int i = 1; i <= 40; ++i) settings.omega.push_back(0.1 * i);
+  const Coefficients coarse = solve(afloat(box, {.cog = {0.0, 0.0, 1.0}}).ship, settings);
+  std::string all;
+  for (const std::string& line : panelWarnings(coarse)) all += line + "\n";
+  EXPECT_NE(all.find("damping in heave"), std::string::npos) << all;
+  EXPECT_NE(all.find("rad/s"), std::string::npos);
+  EXPECT_NE(all.find("use a finer mesh"), std::string::npos);
+  EXPECT_NE(verdict(coarse).find("damping in heave"), std::string::npos);
 }
 
 TEST(Solve, ImpulseResponseIsTheRetardationFunction) {

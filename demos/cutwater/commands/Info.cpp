@@ -12,6 +12,7 @@
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/finish/Finish.h"
 #include "hydro/memory/RadiationModel.h"
+#include "hydro/solve/Solve.h"
 
 namespace cutwater::command {
 
@@ -182,6 +183,7 @@ void info(const std::string& database, const std::string& out) {
   list(csv, "version", c.provenance.version, "");
   list(csv, "mesh_hash", c.provenance.meshHash, "");
   list(csv, "settings", c.provenance.settings, "");
+  list(csv, "verdict", verdict(c), "");
   csv.write(out);
 }
 

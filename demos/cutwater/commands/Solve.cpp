@@ -14,6 +14,7 @@
 #include "hydro/Errors.h"
 #include "hydro/base/AtomicFile.h"
 #include "hydro/database/CoefficientsFile.h"
+#include "hydro/finish/GridNeeds.h"
 #include "hydro/memory/SpeedStability.h"
 
 namespace cutwater::command {
@@ -122,6 +123,7 @@ void solve(const std::string& path, const std::string& database, int threads) {
   }
   for (const std::string& line : gridWarnings(coefficients))
     warn(path + ": [solve] omega: " + line);
+  for (const std::string& line : panelWarnings(coefficients)) warn(path + ": " + line);
   for (const std::string& line : describe(coefficients.stability)) warn(path + ": " + line);
   ImpulseResponse memory;  // K for the readers of BEMIO
   naming(path, [&] { memory = impulseResponse(coefficients); });
