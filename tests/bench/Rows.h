@@ -1,5 +1,6 @@
 #pragma once
 #include <chrono>
+#include <ctime>
 #include <string>
 
 #include "hydro/bem/BuildCoefficients.h"
@@ -12,16 +13,23 @@ struct Row {
   std::size_t panels = 0;
   int threads = 1;
   double seconds = 0.0, floor = 0.0, budget = 0.0, checksum = 0.0;
+  double processor = 0.0;  ///< seconds of all threads; as `floor` is
 };
 
 /// Adds it to `csv` and prints it at once, as some take a while.
 void add(std::string& csv, const Row& row);
 
-double secondsOf(const auto& work) {
+struct Time {
+  double seconds, processor;  ///< by the wall, and of all threads together
+};
+Time timeOf(const auto& work) {
   const auto start = std::chrono::steady_clock::now();
+  const std::clock_t processor = std::clock();
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+          static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC};
 }
+double secondsOf(const auto& work) { return timeOf(work).seconds; }
 
 /// The frigate with so many panels a side.
 ShipParticulars frigate(int panels);

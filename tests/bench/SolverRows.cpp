@@ -15,16 +15,17 @@ PanelMesh meshOf(const ShipParticulars& ship, bool lid) {
   return test::panels(ship.wetSurface, true, lid);
 }
 
-/// LU of even and odd matrices of n unknowns in single precision, as the solver does it: one
-/// thread, in memory that is there already.
+/// Processor seconds of LU of even and odd matrices of n unknowns in single precision, as the
+/// solver does it: one thread, in memory that is there already.
 double luSeconds(int n) {
   const OneBlasThread one;
   auto workspace = Factorization<Complex>(Eigen::MatrixXcd::Random(n, n)).release();
   std::unique_ptr<Factorization<Complex>> factors;
-  return 2.0 * secondsOf([&] {
-           factors = std::make_unique<Factorization<Complex>>(std::move(workspace.matrix),
-                                                              std::move(workspace.factors));
-         });
+  const Time time = timeOf([&] {
+    factors = std::make_unique<Factorization<Complex>>(std::move(workspace.matrix),
+                                                       std::move(workspace.factors));
+  });
+  return 2.0 * time.processor;
 }
 
 /// All LU factorizations of a sweep, one thread: without lid panels where the lid is idle.
@@ -53,8 +54,10 @@ void benchDatabase(std::string& csv, const std::string& name, int panels, int th
   settings.lid = lid;
   Row row{name + (lid ? "" : ", no lid"), ship.wetSurface.faces.size(), threads};
   SolverOutput result;
-  row.seconds = secondsOf([&] { result = buildCoefficients(ship, settings); });
-  row.floor = luFloor(ship, settings) / threads;
+  const Time time = timeOf([&] { result = buildCoefficients(ship, settings); });
+  row.seconds = time.seconds;
+  row.processor = time.processor;
+  row.floor = luFloor(ship, settings);
   row.budget = budget;
   row.checksum = checksumOf(result);
   add(csv, row);
@@ -69,12 +72,16 @@ void benchFrequency(std::string& csv, int panels, int threads, int frequencies) 
   const PanelMesh mesh = meshOf(ship, true);
   InfluenceSettings influence;
   influence.threads = threads;
-  const double setUp = secondsOf([&] { const InfluenceMatrices matrices(mesh, influence); });
+  const Time setUp = timeOf([&] { const InfluenceMatrices matrices(mesh, influence); });
   SolverOutput result;
   Row row{"seconds per frequency", ship.wetSurface.faces.size(), threads};
-  const double all = secondsOf([&] { result = buildCoefficients(ship, settings); });
-  row.seconds = (all - setUp) / frequencies + setUp / 60.0;
-  row.floor = luSeconds(static_cast<int>(mesh.panels.size() + mesh.lid.size())) / threads;
+  const Time all = timeOf([&] { result = buildCoefficients(ship, settings); });
+  const auto each = [&](double total, double shared) {
+    return (total - shared) / frequencies + shared / 60.0;
+  };
+  row.seconds = each(all.seconds, setUp.seconds);
+  row.processor = each(all.processor, setUp.processor);
+  row.floor = luSeconds(static_cast<int>(mesh.panels.size() + mesh.lid.size()));
   row.checksum = checksumOf(result);
   add(csv, row);
 }

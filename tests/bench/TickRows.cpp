@@ -50,7 +50,7 @@ struct Fleet {
   Seaway seaway;
 };
 
-/// Seconds of so many ticks of as many plain bodies: Bullet's own step.
+/// Processor seconds of so many ticks of as many plain bodies: Bullet's own step.
 double drySeconds(int bodies, int ticks) {
   BulletWorld bullet;
   btSphereShape shape(5);
@@ -63,11 +63,11 @@ double drySeconds(int bodies, int ticks) {
   }
   const auto tick = static_cast<btScalar>(kTick60);
   bullet.world.stepSimulation(tick, 1, tick);
-  const double seconds = secondsOf([&] {
+  const Time time = timeOf([&] {
     for (int i = 0; i < ticks; ++i) bullet.world.stepSimulation(tick, 1, tick);
   });
   for (const auto& body : dry) bullet.world.removeRigidBody(body.get());
-  return seconds;
+  return time.processor;
 }
 
 Row rowOf(const std::string& name, const Shared& c) {
@@ -82,7 +82,9 @@ void benchTick(std::string& csv, const std::string& name, const Shared& c, int c
   Fleet fleet(c, 1, components, settings);
   fleet.step(10, kTick60);
   Row row = rowOf(name, c);
-  row.seconds = secondsOf([&] { fleet.step(kTicks, kTick60); }) / kTicks;
+  const Time time = timeOf([&] { fleet.step(kTicks, kTick60); });
+  row.seconds = time.seconds / kTicks;
+  row.processor = time.processor / kTicks;
   row.floor = drySeconds(1, kTicks) / kTicks;
   row.budget = budget;
   row.checksum = fleet.checksum();
@@ -167,7 +169,9 @@ void benchFleet(std::string& csv, const std::string& name, const Shared& c, int 
   fleet.step(5, kTick60);
   Row row = rowOf(name, c);
   row.threads = static_cast<int>(threads);
-  row.seconds = secondsOf([&] { fleet.step(kTicks, kTick60); });
+  const Time time = timeOf([&] { fleet.step(kTicks, kTick60); });
+  row.seconds = time.seconds;
+  row.processor = time.processor;
   row.floor = drySeconds(ships, kTicks);
   row.budget = ships == 1000 ? 1.0 : 0.0;
   row.checksum = fleet.checksum();
