@@ -51,13 +51,14 @@ enum StepFault : std::uint32_t {
   kStepOk = 0,
   kLoadNotFinite = 1u << 0,       ///< a load was NaN or infinite and was not applied
   kStateNotFinite = 1u << 1,      ///< the body's position or velocity is NaN or infinite
-  kTickLengthChanged = 1u << 2,   ///< memory was restarted for the new tick length
+  kTickLengthChanged = 1u << 2,   ///< the convolution was restarted for the new tick length
   kBodyNotInWorld = 1u << 3,      ///< the ship's body was removed from the world by somebody else
   kSolverNotSupported = 1u << 4,  ///< the world's solver cannot carry added mass (btMLCPSolver)
   kCallbackReplaced = 1u << 5,    ///< somebody replaced the pre-tick callback: a tick without loads
   /// The ship makes a speed at which its own motions grow (Hydrodynamics::stability): outside the
   /// theory, and all loads are applied.
   kSpeedOutsideTheory = 1u << 6,
+  kTickNotPositive = 1u << 7,  ///< a tick of no length or less: it passed without loads and weight
 };
 
 }  // namespace cutwater

@@ -105,7 +105,7 @@ void Ship::startAgain() noexcept {
   turnAddedMass(headingAxes());
   addedMass_->forgetPast();
   velocityBefore_ = velocityInEarth(body_->getLinearVelocity(), body_->getAngularVelocity());
-  lastStep_ = 0.0;
+  lastStep_ = stepBefore_ = 0.0;
   courseBeginsHere();
   headingAtSolve_ = course_.heading();
 }
@@ -122,8 +122,8 @@ void Ship::courseBeginsHere() noexcept {
 Mat3 Ship::toCourse() const noexcept { return rotationZ(-course_.heading()); }
 
 // Bullet moves x_{n+1} = x_n + h v_{n+1}: v_n is the mean over the tick that ended at t_n, centred
-// at t_n − h/2, and (3 v_n − v_{n−1})/2 is second order at t_n. Blows since the last solve are not
-// in it.
+// at t_n − h_n/2, and v_n + (v_n − v_{n−1}) h_n/(h_n + h_{n−1}) is second order at t_n, of equal
+// ticks (3 v_n − v_{n−1})/2. Blows since the last solve are not in it.
 void Ship::findMotion(TickInput& input, const Mat3& heading) const noexcept {
   const Mat3 course = toCourse(), toHeading = heading.transpose();
   const Vec3 mean(course_.x(), course_.y(), coefficients().ship.cog.z());
@@ -134,13 +134,16 @@ void Ship::findMotion(TickInput& input, const Mat3& heading) const noexcept {
   steady[Yaw] = course_.turnRate();
   input.eta << course * (position() - mean), eulerAngles(course * bodyAxes());
   input.etaDot = rotated(course, toHeading, velocity) - steady;
-  input.etaDotNow = rotated(course, toHeading, 1.5 * velocity - 0.5 * velocityBefore_) - steady;
+  const double ahead = stepBefore_ > 0.0 ? lastStep_ / (lastStep_ + stepBefore_) : 0.5;
+  input.etaDotNow =
+      rotated(course, toHeading, (1.0 + ahead) * velocity - ahead * velocityBefore_) - steady;
 }
 
 void Ship::findInput(double time, double step, const Mat3& heading) noexcept {
   TickInput& now = input_;
   now.time = time;
   now.step = step;
+  now.lastStep = lastStep_ > 0.0 ? lastStep_ : step;
   now.position = position();
   now.attitude = bodyAxes();
   now.weight = toCourse() * frame_.forceToEarth(gravityForce(*body_));
@@ -169,16 +172,27 @@ void Ship::prepare(double step) {
   preparedFor_ = step;
 }
 
-// Bullet's tick is a float in one build: 1e-6 tells another length from another rounding.
+// Bullet's tick is a float in one build: 1e-6 tells another length from another rounding. Parts that
+// take ticks as they come are prepared once.
 std::uint32_t Ship::matchTick(double step) noexcept {
-  const bool known = preparedFor_ > 0.0;
-  if (known && std::abs(preparedFor_ - step) <= 1e-6 * step) return kStepOk;
+  if (preparedFor_ > 0.0 && std::abs(preparedFor_ - step) <= 1e-6 * step) return kStepOk;
+  std::uint32_t faults = kStepOk;
   try {
-    prepare(step);
+    if (preparedFor_ == 0.0) {
+      prepare(step);
+      return kStepOk;
+    }
+    for (ShipPart& part : parts_) {
+      if (!part.force || !part.force->needsFixedTicks()) continue;
+      faults |= kTickLengthChanged;
+      part.force->prepare(step);
+    }
+    preparedFor_ = step;
   } catch (...) {
-    return kTickLengthChanged | kLoadNotFinite;
+    preparedFor_ = 0.0;
+    return faults | kLoadNotFinite;
   }
-  return known ? kTickLengthChanged : kStepOk;
+  return faults;
 }
 
 Wrench Ship::evaluatePart(ShipPart& part) noexcept {
@@ -231,12 +245,16 @@ Vec6 Ship::sumOfLoads() const noexcept {
   return water + added;
 }
 
+void Ship::undoWeight(btScalar step) noexcept {
+  const btVector3 change = gravityForce(*body_) * body_->getInvMass() * step;
+  if (finite(change)) body_->setLinearVelocity(body_->getLinearVelocity() - change);
+}
+
 // Impulses, not forces: Bullet keeps forces over all ticks of one stepSimulation. The part of the
 // restoring load that carries the weight undoes Bullet's gravity in the solver's own arithmetic.
 bool Ship::apply(btScalar step, const Mat3& heading) noexcept {
   const Vec6 loads = sumOfLoads();
-  const btVector3 weightChange = gravityForce(*body_) * body_->getInvMass() * step;
-  if (finite(weightChange)) body_->setLinearVelocity(body_->getLinearVelocity() - weightChange);
+  undoWeight(step);
   if (!loads.allFinite()) return false;  // without loads, but carried
   const Vec6 impulse =
       static_cast<double>(step) * rotated(rotationZ(course_.heading()), heading, loads);
@@ -264,6 +282,11 @@ std::uint32_t Ship::beginTick(double time, btScalar step) noexcept {
   if (!wasInWorld) startAgain();
   if (!(body_->getInvMass() > 0)) return kStepOk;  // held still by the user for now
   if (!stateFinite(*body_)) return kStateNotFinite;
+  if (!(step > 0)) {
+    addedMass_->setEnabled(false);
+    undoWeight(step);
+    return kTickNotPositive;
+  }
   std::uint32_t faults = matchTick(static_cast<double>(step));
   if (recovered()) faults |= kStateNotFinite;
   body_->setDamping(0, 0);
@@ -319,6 +342,7 @@ void Ship::endTick(btScalar step) noexcept {
   const double heading = attitude().z();
   record_.loads[addedMassPart_] = rotated(toCourse(), rotationZ(-heading), force);
   headingAtSolve_ = course_.heading();
+  stepBefore_ = lastStep_;
   lastStep_ = static_cast<double>(step);
   const Vec3 at = position();
   const Vec6 velocity =

@@ -180,7 +180,7 @@ class Ship {
     std::array<btVector3, 2> past;        // v⁻
     btMatrix3x3 pastAxes;                 // of A∞ at v⁻
     Vec6 before;
-    double lastStep = 0.0, headingAtSolve = 0.0;
+    double lastStep = 0.0, stepBefore = 0.0, headingAtSolve = 0.0;
     bool courseBegins = false;
     TickRecord record;
     std::array<double, MeanCourse::kStateSize> course;
@@ -230,6 +230,7 @@ class Ship {
   Wrench evaluatePart(ShipPart& part) noexcept;
   Vec6 inCourseAxes(const Wrench& wrench, const Mat3& heading) const noexcept;
   Vec6 sumOfLoads() const noexcept;
+  void undoWeight(btScalar step) noexcept;
   bool apply(btScalar step, const Mat3& heading) noexcept;
   std::uint32_t matchTick(double step) noexcept;
   bool recovered() noexcept;
@@ -262,7 +263,7 @@ class Ship {
   TickInput input_;  // of the tick under way
   std::vector<Phasors4> phasors_;
   Vec6 velocityBefore_ = Vec6::Zero();  // v after the tick before the last one, in E
-  double lastStep_ = 0.0;               // of the last tick
+  double lastStep_ = 0.0, stepBefore_ = 0.0;  // of the last tick, and of the one before
   TickRecord record_;
 };
 

@@ -84,8 +84,9 @@ double Ship::energy() const noexcept {
 
 PointMotion Ship::pointMotion(const Vec3& point) const noexcept {
   const Vec6 now = velocityInEarth(addedMass_->linearVelocity(), addedMass_->angularVelocity());
-  const Vec6 rate =
-      lastStep_ > 0.0 ? Vec6((now - velocityBefore_) / lastStep_) : Vec6(Vec6::Zero());
+  // From the middle of one tick to the middle of the next.
+  const double between = stepBefore_ > 0.0 ? 0.5 * (lastStep_ + stepBefore_) : lastStep_;
+  const Vec6 rate = between > 0.0 ? Vec6((now - velocityBefore_) / between) : Vec6(Vec6::Zero());
   const Vec3 arm = bodyAxes() * (point - coefficients().ship.cog);
   const Vec3 velocity = now.head<3>(), spin = now.tail<3>();
   const Vec3 linear = rate.head<3>(), angular = rate.tail<3>();
@@ -147,6 +148,7 @@ void Ship::save(Snapshot& s) const {
   s.pastAxes = addedMass_->pastAxes();
   s.before = velocityBefore_;
   s.lastStep = lastStep_;
+  s.stepBefore = stepBefore_;
   s.headingAtSolve = headingAtSolve_;
   s.courseBegins = input_.courseBegins;
   s.record = record_;
@@ -224,6 +226,7 @@ void Ship::restore(const Snapshot& s) {
   addedMass_->setPast(s.past[0], s.past[1], s.pastAxes);
   velocityBefore_ = s.before;
   lastStep_ = s.lastStep;
+  stepBefore_ = s.stepBefore;
   headingAtSolve_ = s.headingAtSolve;
   input_.courseBegins = s.courseBegins;
   record_ = s.record;

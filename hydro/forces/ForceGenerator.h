@@ -30,6 +30,8 @@ struct Wrench {
 struct TickInput {
   double time = 0.0;  ///< t_n [s]
   double step = 0.0;  ///< length of the tick [s]
+  /// Length of the tick that ended at t_n [s]; before the first one as `step`. Ticks may vary.
+  double lastStep = 0.0;
 
   // The ship as it is.
   Vec3 position = Vec3::Zero();      ///< G in E [m]
@@ -69,9 +71,12 @@ class ForceGenerator {
   /// Allocates nothing. A load that is not finite is left out of that tick and reported.
   virtual Wrench evaluate(const TickInput& now) noexcept = 0;
 
-  /// Makes what depends on the length of the tick [s]: before the first tick, and when it changes.
-  /// May allocate.  @throws HydroError.
+  /// Makes what depends on the length of the tick [s]: before the first tick, and when it changes
+  /// for a part that needs fixed ticks. May allocate.  @throws HydroError.
   virtual void prepare(double /*step*/) {}
+  /// True: the part must be prepared anew for ticks of another length, and its past is lost; the
+  /// tick then raises kTickLengthChanged. False: it takes TickInput::step as it comes.
+  virtual bool needsFixedTicks() const noexcept { return false; }
   /// Forgets the past: as if on the mean course, at rest about it, for ever.
   virtual void reset() noexcept {}
 

@@ -48,8 +48,20 @@ ExponentialMemory::ExponentialMemory(const ExponentialSum& sum, double step)
   advance_.assign(4 * width_, 0.0);
   states_.assign(6 * 2 * width_, 0.0);
   residues_ = sum.runs(0);
-  for (std::size_t m = 0; m < sum.size(); ++m) {
-    const Complex s = sum.poles()[m], e = std::exp(s * step), g = (e - 1.0) / s;
+  makeAdvance();
+}
+
+bool ExponentialMemory::setStep(double h) noexcept {
+  if (h == step_) return true;
+  if (!(h > 0.0) || !std::isfinite(h)) return false;
+  step_ = h;
+  makeAdvance();
+  return true;
+}
+
+void ExponentialMemory::makeAdvance() noexcept {
+  for (std::size_t m = 0; m < sum_.size(); ++m) {
+    const Complex s = sum_.poles()[m], e = std::exp(s * step_), g = (e - 1.0) / s;
     advance_[m] = e.real();
     advance_[width_ + m] = e.imag();
     advance_[2 * width_ + m] = g.real();
@@ -100,16 +112,17 @@ void ExponentialMemory::save(std::span<double> state) const noexcept {
 }
 
 bool ExponentialMemory::fits(std::span<const double> state) const noexcept {
-  return state.size() == stateSize() && state[0] == step_;
+  return state.size() == stateSize() && state[0] > 0.0 && std::isfinite(state[0]);
 }
 
 void ExponentialMemory::restore(std::span<const double> state) {
   if (!fits(state)) {
     throw HydroError(Fault::BadArgument,
-                     fmt::format("ExponentialMemory::restore: state of {} numbers, this memory "
-                                 "with ticks of {} s has {}",
-                                 state.size(), step_, stateSize()));
+                     fmt::format("ExponentialMemory::restore: not a state of this memory, which "
+                                 "has {} numbers, the first of them a length of tick; got {}",
+                                 stateSize(), state.size()));
   }
+  setStep(state[0]);
   std::copy(state.begin() + 1, state.end(), states_.begin());
 }
 

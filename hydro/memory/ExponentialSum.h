@@ -66,6 +66,7 @@ class ExponentialMemory final : public RadiationMemory {
   ExponentialMemory(const ExponentialSum& sum, double step);
 
   double step() const noexcept override { return step_; }
+  bool setStep(double h) noexcept override;
   using RadiationMemory::advance;
   Vec6 advance(const Vec6& etaDot, double speed) noexcept override;
   Parts advanceParts(const Vec6& etaDot) noexcept override;
@@ -76,6 +77,7 @@ class ExponentialMemory final : public RadiationMemory {
   void restore(std::span<const double> state) override;
 
  private:
+  void makeAdvance() noexcept;
   void weigh(double speed) noexcept;
   void enterAll(const Vec6& etaDot) noexcept;
   Vec6 force(const std::vector<double>& runs) const noexcept;

@@ -6,7 +6,7 @@
 
 namespace cutwater {
 
-/// Force of the radiated waves' memory at fixed ticks of h, the sum of [M03] (30):
+/// Force of the radiated waves' memory at ticks of h, the sum of [M03] (30), here of equal ones:
 ///   F(t_n) = −∫₀^∞ K(U, τ) η̇(t_n − τ) dτ = −Σ_i K̄_i η̇_{n−i},   K̄_i = ∫ K over [i h, (i+1) h]
 /// η̇_n is the mean velocity over the tick that ends at t_n (in Bullet: the velocity after the
 /// solve, which moved the body over that tick), so the sum is second order in h and sees ∫K dτ
@@ -17,6 +17,10 @@ class RadiationMemory {
  public:
   virtual ~RadiationMemory() = default;
   virtual double step() const noexcept = 0;  ///< h [s]
+  /// The tick that advance() will enter is h long [s] > 0; the past stays as it is. The sum of
+  /// exponentials can: each is known at every instant. The convolution, whose weights are those of
+  /// equal ticks, cannot.  @return whether the memory has that step now.
+  virtual bool setStep(double h) noexcept { return h == step(); }
   /// Enters the velocity of the tick just ended and returns F(t_n) [N, N·m]. A velocity that is not
   /// finite spoils the memory: reset() or restore() after it.   @param speed U [m/s].
   virtual Vec6 advance(const Vec6& etaDot, double speed) noexcept = 0;

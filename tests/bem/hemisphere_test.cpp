@@ -85,9 +85,10 @@ TEST(HemisphereClosedForm, AddedMassAndDampingOfHeaveAndSurge) {
   expectWithin(Hulme(), 40, 26, 0.0025, 0.005);
 }
 
-/// What the best of other codes reach, % of each curve's maximum, in the order of Curves; given to
-/// two decimals.
-constexpr Curves kPeers432{0.10, 0.23, 0.50, 0.55}, kPeers1040{0.05, 0.06, 0.09, 0.17};
+/// % of each curve's maximum, in the order of Curves: what is asked at 432 panels, which no other
+/// code has in all four (the best of each are 0.10, 0.23, 0.50, 0.55), and what the best of other
+/// codes reach at 1040, given to two decimals.
+constexpr Curves kAsked432{0.10, 0.20, 0.30, 0.15}, kPeers1040{0.05, 0.06, 0.09, 0.17};
 constexpr double kTwoDecimals = 0.005;
 
 // Of the error of flat panels two thirds are the volume that an inscribed polyhedron lacks; panels
@@ -107,16 +108,33 @@ TEST(HemisphereClosedForm, CurvedPanelsHaveTheVolumeOfTheSphere) {
   const Curves at432 = worst(hulme, 27, 16, true, 0.0, 2.0, PanelShape::Auto);
   const Curves at1040 = worst(hulme, 40, 26, true, 0.0, 2.0, PanelShape::Auto);
   for (std::size_t c = 0; c < 4; ++c) {
-    EXPECT_LE(100.0 * at432[c], kPeers432[c] + kTwoDecimals) << names[c];
+    EXPECT_LE(100.0 * at432[c], kAsked432[c]) << names[c];
     EXPECT_LE(100.0 * at1040[c], kPeers1040[c] + kTwoDecimals) << names[c];
     const auto record = [&](const char* count, double reached, double bound) {
       recordResult("solver",
                    std::string(names[c]) + ", hemisphere, " + count +
                        " panels a side, curved by default, lid, Ka ≤ 2, % of maximum",
-                   "Hulme 1982", reached, "best peer " + std::to_string(bound).substr(0, 4));
+                   "Hulme 1982", reached, "≤ " + std::to_string(bound).substr(0, 4));
     };
-    record("432", 100.0 * at432[c], kPeers432[c]);
+    record("432", 100.0 * at432[c], kAsked432[c]);
     record("1040", 100.0 * at1040[c], kPeers1040[c]);
+  }
+}
+
+// Short waves with a lid, 0.7 radii long at Ka = 9: 1 % of the maximum is asked. The error is the
+// hull panels', not the lid's: a lid of four times as many panels changes it by a tenth, four times
+// as many hull panels divide it by three. Without a lid the hull alone is nearer between its
+// irregular frequencies.
+TEST(HemisphereClosedForm, ShortWavesWithALid) {
+  if (!fullSize()) GTEST_SKIP() << "full size only";
+  const Curves e = worst(Hulme(), 27, 16, true, 7.0, 9.5, PanelShape::Auto);
+  const char* names[] = {"A33", "A11", "B33", "B11"};
+  for (std::size_t c = 0; c < 4; ++c) {
+    EXPECT_LT(e[c], 0.01) << names[c];
+    recordResult(
+        "solver",
+        std::string(names[c]) + ", hemisphere, 432 panels a side, lid, Ka 7 to 9.5, % of maximum",
+        "Hulme 1982", 100.0 * e[c], "≤ 1");
   }
 }
 

@@ -116,6 +116,32 @@ TEST(ExponentialSumIdentity, MemoryAtRestTakesEnergyAtEveryFrequency) {
   EXPECT_GT(least, -2e-4 * largest);
 }
 
+// Velocities that are constant over spans: one tick a span or many, of any lengths, the state at
+// its end is the same, as each exponential is known in between. To round-off of 100 ticks.
+TEST(ExponentialMemoryIdentity, AnyStepsGiveTheSamePast) {
+  const ExponentialSum& sum = causalModel(ForwardSpeedForm::Report).sum();
+  ExponentialMemory whole(sum, 0.1), parts(sum, 0.1);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  double largest = 0.0;
+  for (int span = 0; span < 40; ++span) {
+    const double length = 0.05 + 0.04 * (span % 7);
+    Vec6 velocity;
+    for (int k = 0; k < 6; ++k) velocity[k] = any(random);
+    ASSERT_TRUE(whole.setStep(length));
+    const Vec6 expected = whole.advance(velocity, 3.0);
+    Vec6 found;
+    for (const double share : {0.1, 0.25, 0.65}) {
+      ASSERT_TRUE(parts.setStep(share * length));
+      found = parts.advance(velocity, 3.0);
+    }
+    largest = std::max(largest, expected.norm());
+    EXPECT_LT((found - expected).norm(), 1e-12 * largest);
+  }
+  EXPECT_FALSE(whole.setStep(0.0));
+  EXPECT_FALSE(whole.setStep(std::nan("")));
+}
+
 // |F_j| ≤ Σ_k ∫|K_jk|: a million ticks of velocities as bad as can be, then silence.
 TEST(ExponentialMemory, StaysBoundedForAMillionTicksAndForgets) {
   const ExponentialSum& sum = causalModel(ForwardSpeedForm::Report).sum();

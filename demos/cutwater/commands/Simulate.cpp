@@ -101,6 +101,7 @@ std::string describeFaults(RunShip& run) {
       "a load was not finite and was not applied" + (part.empty() ? "" : " (" + part + ")"));
   add(kStateNotFinite, "the ship's position or velocity was not finite");
   add(kTickLengthChanged, "the tick length changed");
+  add(kTickNotPositive, "a tick was not above 0 s");
   add(kBodyNotInWorld, "the ship's body left the world");
   add(kCallbackReplaced, "the world's pre-tick callback was overwritten");
   add(kSolverNotSupported, "the solver cannot carry added mass");

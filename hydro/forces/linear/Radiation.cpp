@@ -18,6 +18,7 @@ Radiation::Radiation(Radiation&&) noexcept = default;
 Radiation::~Radiation() = default;
 
 void Radiation::prepare(double step) {
+  if (memory_ && !needsFixedTicks()) return;
   memory_.reset();
   const bool convolution = memoryModel_ == MemoryModel::Convolution;
   memory_ = convolution ? model_->makeConvolution(step) : model_->makeMemory(step);
@@ -25,6 +26,7 @@ void Radiation::prepare(double step) {
 
 Wrench Radiation::evaluate(const TickInput& now) noexcept {
   if (!memory_) return {};
+  memory_->setStep(now.lastStep);  // the convolution has been prepared for it
   return {follows_ ? onFollowingCourse(now) : onFixedCourse(now)};
 }
 

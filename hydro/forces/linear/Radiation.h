@@ -11,7 +11,8 @@ class RadiationModel;
 
 /// Force of the waves that the ship radiates; −A^∞η̈ is left to the engine's solver:
 ///     F(t) = −∫₀^∞ K(U, τ) η̇(t − τ) dτ − b(U) η̇ − c(U) η            [M03] (30), (33), (41)-(45)
-/// The memory takes TickInput::etaDot, the mean over the tick just ended; b takes etaDotNow.
+/// The memory takes TickInput::etaDot, the mean over the tick just ended, and the length of that; b
+/// takes etaDotNow.
 ///
 /// On a course that follows the ship the terms with U would create energy: Munk's moment turns a
 /// hull that makes leeway ever faster, and linear theory, which holds the speed, does not ask where
@@ -31,8 +32,12 @@ class Radiation final : public ForceGenerator {
   ~Radiation() override;
 
   std::string_view name() const noexcept override { return "radiation"; }
-  /// No load until a tick length is known.  @throws HydroError as RadiationModel::makeMemory.
+  /// No load until a tick length is known. The sum of exponentials keeps its past.
+  /// @throws HydroError as RadiationModel::makeMemory.
   void prepare(double step) override;
+  bool needsFixedTicks() const noexcept override {
+    return memoryModel_ == MemoryModel::Convolution;
+  }
   Wrench evaluate(const TickInput& now) noexcept override;
   void reset() noexcept override;
   std::size_t stateSize() const noexcept override;
