@@ -172,8 +172,8 @@ void Ship::prepare(double step) {
   preparedFor_ = step;
 }
 
-// Bullet's tick is a float in one build: 1e-6 tells another length from another rounding. Parts that
-// take ticks as they come are prepared once.
+// Bullet's tick is a float in one build: 1e-6 tells another length from another rounding. Parts
+// that take ticks as they come are prepared once.
 std::uint32_t Ship::matchTick(double step) noexcept {
   if (preparedFor_ > 0.0 && std::abs(preparedFor_ - step) <= 1e-6 * step) return kStepOk;
   std::uint32_t faults = kStepOk;

@@ -262,7 +262,7 @@ class Ship {
 
   TickInput input_;  // of the tick under way
   std::vector<Phasors4> phasors_;
-  Vec6 velocityBefore_ = Vec6::Zero();  // v after the tick before the last one, in E
+  Vec6 velocityBefore_ = Vec6::Zero();        // v after the tick before the last one, in E
   double lastStep_ = 0.0, stepBefore_ = 0.0;  // of the last tick, and of the one before
   TickRecord record_;
 };

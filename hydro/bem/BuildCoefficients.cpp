@@ -83,8 +83,8 @@ class Sweep {
         normals_(matrices_.mesh(), out.ship.cog, out.ship.wetSurface),
         derivative_(out.ship.wetSurface, matrices_.mesh()),
         faces_(out.wet().faces()),
-        lacking_(out.wet().whole(), out.ship.hull, out.ship.restoring, out.ship.cog,
-                 out.ship.density, out.ship.gravity) {
+        lacking_(out.wet().whole(), {out.ship.hull, out.ship.symmetric}, out.ship.restoring,
+                 out.ship.cog, out.ship.density, out.ship.gravity) {
     const std::size_t count = out_.omega.size();
     out_.addedMass.values.resize(count);
     out_.damping.values.resize(count);

@@ -40,14 +40,22 @@ std::uint64_t journalKey(const CoefficientTables& c, const SolveSettings& settin
   const auto numbers = [&hash](const double* data, std::size_t count) {
     hash.add(data, count * sizeof(double));
   };
+  // Raised when the same settings come to give other numbers: a journal must not mix them.
+  constexpr double kMethod = 2.0;
   add(c.ship.wetSurface, hash);
+  add(c.ship.hull, hash);
+  numbers(c.ship.restoring.data(), 36);
   hash.add(c.provenance.version.data(), c.provenance.version.size());
   hash.add(c.provenance.settings.data(), c.provenance.settings.size());
   numbers(c.omega.data(), c.omega.size());
   numbers(c.headings.data(), c.headings.size());
   numbers(c.ship.cog.data(), 3);
-  const double others[] = {c.ship.density, c.ship.gravity, settings.lidPanelLength,
-                           c.ship.symmetric ? 1.0 : 0.0};
+  const double others[] = {c.ship.density,
+                           c.ship.gravity,
+                           settings.lidPanelLength,
+                           c.ship.symmetric ? 1.0 : 0.0,
+                           static_cast<double>(c.panelShape),
+                           kMethod};
   numbers(others, std::size(others));
   return hash.value();
 }

@@ -108,8 +108,8 @@ WaveExcitation::WaveExcitation(const CoefficientTables& coefficients, ForwardSpe
   panels_ = wet.panels();
   faces_ = wet.faces();
   const ShipParticulars& ship = coefficients.ship;
-  lacking_ = LackingRestoring(wet.whole(), ship.hull, ship.restoring, ship.cog, ship.density,
-                              ship.gravity);
+  lacking_ = LackingRestoring(wet.whole(), {ship.hull, ship.symmetric}, ship.restoring, ship.cog,
+                              ship.density, ship.gravity);
 }
 
 WaveExcitation::Force WaveExcitation::at(double omegaI, double heading, double speed) const {

@@ -110,6 +110,7 @@ std::optional<NegativeDamping> negativeDamping(const CoefficientTables& c) {
 
 std::vector<std::string> panelWarnings(const CoefficientTables& c) {
   constexpr double kMostAsymmetry = 0.1;
+  const std::vector<int>& irregular = c.masked;  // asymmetric for another reason
   std::vector<std::string> lines;
   for (const NegativeDamping& negative : negativeDampings(c))
     lines.push_back(
@@ -117,9 +118,9 @@ std::vector<std::string> panelWarnings(const CoefficientTables& c) {
                     "{:.2g} % of its largest: use a finer mesh",
                     kModeNames[negative.mode], negative.omega, 100.0 * negative.share));
   for (const auto& [key, what] :
-       {std::pair{"added_mass_asymmetry", "A"}, {"damping_asymmetry", "B"}}) {
+       {std::pair{"added_mass_asymmetry_resolved", "A"}, {"damping_asymmetry_resolved", "B"}}) {
     const double asymmetry = numberIn(c.provenance.settings, key);
-    if (asymmetry > kMostAsymmetry)
+    if (asymmetry > kMostAsymmetry && irregular.empty())
       lines.push_back(
           fmt::format("{} differs from its transpose by {:.2g} %: the panels do not "
                       "carry its couplings, use a finer mesh",

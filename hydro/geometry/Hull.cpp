@@ -109,11 +109,13 @@ Hull makeHull(const SurfaceMesh& raw, const std::string& name, Symmetry symmetry
   return hull;
 }
 
-SurfaceMesh wholeWetSurface(const Hull& hull) { return cutBelow(hull.surface); }
-
 SurfaceMesh wetSurface(const Hull& hull) {
-  const SurfaceMesh wet = wholeWetSurface(hull);
+  const SurfaceMesh wet = cutBelow(hull.surface);
   return hull.symmetric ? cutAbove(wet, centreline()) : wet;
+}
+
+SurfaceMesh wholeWetSurface(const Hull& hull) {
+  return hull.symmetric ? bothHalves(wetSurface(hull)) : cutBelow(hull.surface);
 }
 
 }  // namespace cutwater

@@ -42,7 +42,7 @@ Hull makeHull(const SurfaceMesh& raw, const std::string& name, Symmetry symmetry
 /// sides. Faces that cross z = 0 or the centreline are cut there. Ready for makePanels.
 SurfaceMesh wetSurface(const Hull& hull);
 
-/// The wet surface of both sides.
+/// The wet surface of both sides; of a symmetric hull the port half and its image.
 SurfaceMesh wholeWetSurface(const Hull& hull);
 
 }  // namespace cutwater

@@ -4,25 +4,29 @@
 #include <cmath>
 
 #include "hydro/geometry/Hydrostatics.h"
-#include "hydro/geometry/MeshCut.h"
 
 namespace cutwater {
 
-LackingRestoring::LackingRestoring(const SurfaceMesh& wet, const SurfaceMesh& hull,
-                                   const Mat6& restoring, const Vec3& cog, double density,
-                                   double gravity) {
+LackingRestoring::LackingRestoring(const SurfaceMesh& wet, const Hull& hull, const Mat6& restoring,
+                                   const Vec3& cog, double density, double gravity) {
   constexpr double kRoundOff = 1e-9, kSameShip = 1e-6;
-  if (hull.faces.empty() || wet.faces.empty()) return;
-  const auto stiffness = [&](const SurfaceMesh& mesh) {
-    return hydrostatics(mesh, cog, density, gravity).restoring;
-  };
-  const Mat6 own = stiffness(wet);
-  if ((restoring - stiffness(cutBelow(hull))).norm() > kSameShip * own.norm()) return;
+  if (hull.surface.faces.empty() || wet.faces.empty()) return;
+  const Hydrostatics panels = hydrostatics(wet, cog, density, gravity);
+  const double size = panels.restoring.norm();
+  if ((restoring - panels.restoring).norm() <= kRoundOff * size) return;
+  const Hydrostatics whole = hydrostatics(wholeWetSurface(hull), cog, density, gravity);
+  if ((restoring - whole.restoring).norm() > kSameShip * size) return;
+
   // Heave, roll and pitch of the plane a + b x + c y about G: (a, c, −b).
+  const Mat6 lacking = restoring - panels.restoring;
   Eigen::Matrix<double, 6, 3> difference;
-  difference << (restoring - own).col(Heave), -(restoring - own).col(Pitch),
-      (restoring - own).col(Roll);
-  if (difference.norm() <= kRoundOff * own.norm()) return;
+  difference << lacking.col(Heave), -lacking.col(Pitch), lacking.col(Roll);
+  const double weight = gravity * (whole.displacement - panels.displacement);
+  difference(Surge, 1) -= weight;
+  difference(Sway, 2) -= weight;
+  // C46 and C56 are −ρgV(x_B − x_G) and −ρgV(y_B − y_G).
+  difference(Yaw, 2) += lacking(Roll, Yaw);
+  difference(Yaw, 1) -= lacking(Pitch, Yaw);
 
   // The waterplane is the hull seen from below: −n_z dS, one point a face.
   Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();

@@ -1,5 +1,5 @@
 #pragma once
-#include "hydro/geometry/SurfaceMesh.h"
+#include "hydro/geometry/Hull.h"
 #include "hydro/waves/Wave.h"
 
 namespace cutwater {
@@ -10,8 +10,11 @@ namespace cutwater {
 /// (GM of a frigate of 433: 3 %). What is missing goes with the plane that fits the water over the
 /// waterplane best, by least squares:
 ///     ΔF_I = (C − C_panels) η_w
-/// In shorter waves η_w vanishes as that fit does.
-///     const LackingRestoring lacking(wet, ship.hull, ship.restoring, ship.cog, density, gravity);
+/// and what the slope of the water pushes on the volume that is missing, by Archimedes: −ρgΔV b in
+/// surge and −ρgΔV c in sway, with their moments in yaw. In shorter waves all of it vanishes as the
+/// fit does.
+///     const LackingRestoring lacking(wet, {ship.hull, ship.symmetric}, ship.restoring, ship.cog,
+///                                    density, gravity);
 ///     const CVec6 force = froudeKrylovForce(…) + lacking.force(wave);
 class LackingRestoring {
  public:
@@ -19,12 +22,12 @@ class LackingRestoring {
   LackingRestoring() = default;
   /// Nothing, too, without a hull, or if `restoring` is not the hull's (a database made otherwise).
   /// @param wet        the surface over which F_I is integrated, both sides, hull axes [m].
-  /// @param hull       what it stands for, both sides, above water too [m].
+  /// @param hull       what it stands for.
   /// @param restoring  C of the ship about `cog`.
-  LackingRestoring(const SurfaceMesh& wet, const SurfaceMesh& hull, const Mat6& restoring,
-                   const Vec3& cog, double density, double gravity);
+  LackingRestoring(const SurfaceMesh& wet, const Hull& hull, const Mat6& restoring, const Vec3& cog,
+                   double density, double gravity);
 
-  /// ΔF_I per metre of amplitude, crest over G.  O(edges of the waterline), no allocation.
+  /// ΔF_I per metre of amplitude, crest over G.  O(faces of `wet`), no allocation.
   CVec6 force(const AiryWave& wave) const;
 
  private:

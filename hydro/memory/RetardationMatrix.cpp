@@ -104,24 +104,35 @@ void RetardationMatrix::keepTailsPositive() {
     own[e.j] = std::sqrt(far(e.function));
     power[e.j] = e.function.tailPower_;
   }
-  // A coupling that dies at a greater power than its modes is nothing beside them.
-  const auto lasts = [&](const Entry& e) {
-    return e.j != e.k && own[e.j] > 0.0 && own[e.k] > 0.0 &&
-           2.0 * e.function.tailPower_ <= power[e.j] + power[e.k];
+  // A coupling that dies at a greater power than its modes is nothing beside them; one that dies at
+  // a smaller power outlasts them, and none of its leading term can stay.
+  const auto excess = [&](const Entry& e) {
+    return own[e.j] > 0.0 && own[e.k] > 0.0 && e.j != e.k
+               ? power[e.j] + power[e.k] - 2.0 * e.function.tailPower_
+               : -1.0;
   };
-  const auto beside = [&](const Entry& e) { return far(e.function) / (own[e.j] * own[e.k]); };
-  // Modes of one parity by themselves: those of the other have no part in what is wrong with them.
-  for (const int parity : {0, 1}) {
+  const auto beside = [&](const Entry& e) {
+    return excess(e) > 0.0 ? 0.0 : far(e.function) / (own[e.j] * own[e.k]);
+  };
+  // Modes of one parity by themselves, if those of the other are not coupled with them: they have
+  // no part in what is wrong there.
+  const bool mixed = std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) {
+    return excess(e) >= 0.0 && (e.j + e.k) % 2 == 1;
+  });
+  for (const int group : {0, 1}) {
+    const auto belongs = [&](const Entry& e) {
+      return excess(e) >= 0.0 && (mixed ? 0 : e.j % 2) == group;
+    };
     Mat6 matrix = Mat6::Identity();
     for (const Entry& e : entries_)
-      if (lasts(e) && e.j % 2 == parity)
-        matrix(e.j, e.k) = matrix(e.k, e.j) = std::clamp(beside(e), -1.0, 1.0);
+      if (belongs(e)) matrix(e.j, e.k) = matrix(e.k, e.j) = std::clamp(beside(e), -1.0, 1.0);
     const Eigen::SelfAdjointEigenSolver<Mat6> eigen(matrix, Eigen::EigenvaluesOnly);
     // I + s(M − I) has no eigenvalue below 0.
     const double share = 1.0 / (1.0 - std::min(0.0, eigen.eigenvalues().minCoeff()));
     for (Entry& e : entries_) {
-      if (!lasts(e) || e.j % 2 != parity) continue;
-      const double kept = share * std::clamp(beside(e), -1.0, 1.0) / beside(e);
+      if (!belongs(e)) continue;
+      const double found = far(e.function) / (own[e.j] * own[e.k]);
+      const double kept = share * matrix(e.j, e.k) / found;
       if (kept < 1.0 - kPositive) e.function.tailBend_ = (kept - 1.0) * (1.0 + e.function.tailMix_);
     }
   }

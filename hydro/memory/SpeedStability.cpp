@@ -23,8 +23,9 @@ const GrowingMotion* outsideTheory(const std::vector<GrowingMotion>& growing, do
                                    const ShipParticulars& ship) {
   for (const GrowingMotion& motion : growing) {
     const bool slow = motion.mode == Surge && motion.s.real() < kSlowSurge * least;
-    const bool capsizes =
-        ship.restoring(motion.mode, motion.mode) + ship.supplementary.stiffness[motion.mode] < 0.0;
+    const double stiffness =
+        ship.restoring(motion.mode, motion.mode) + ship.supplementary.stiffness[motion.mode];
+    const bool capsizes = stiffness < 0.0 && std::abs(motion.s.imag()) < 1e-3 * motion.s.real();
     if (!isCourse(motion) && !slow && !capsizes) return &motion;
   }
   return nullptr;

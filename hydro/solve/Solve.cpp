@@ -48,6 +48,9 @@ std::string verdict(const Coefficients& c) {
   }
   const std::vector<std::string> ofGrid = gridWarnings(c);
   against.insert(against.end(), ofGrid.begin(), ofGrid.end());
+  for (const Mode mode : {Heave, Roll, Pitch})
+    if (c.ship.restoring(mode, mode) + c.ship.supplementary.stiffness[mode] < 0.0)
+      against.push_back(fmt::format("not stable upright in {}", kModeNames[mode]));
   const std::vector<std::string> ofSpeed = describe(c.stability);
   against.insert(against.end(), ofSpeed.begin(), ofSpeed.end());
   std::string line = c.status == CoefficientStatus::Given

@@ -113,8 +113,8 @@ TEST(PanelPairsIdentity, DirectionTurnsTheFieldsNormalIntoADerivativeByTheSource
   }
 }
 
-// A panel's own image is twice its depth away; near is less than 1.5 diameters, the greater one's.
-TEST(PanelPairsClosedForm, NearIsOneAndAHalfDiametersToTheImage) {
+// A panel's own image is twice its depth away; near is less than 2.5 diameters, the greater one's.
+TEST(PanelPairsClosedForm, NearIsTwoAndAHalfDiametersToTheImage) {
   const double reach = PanelPairs::kNearRatio * std::sqrt(2.0);  // of squares of side 1
   const PanelPairs pairs = pairsOfSquares({0.499 * reach, 0.501 * reach});
   EXPECT_TRUE(pairs.isNear({0, 0, false}));

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "hydro/geometry/Hydrostatics.h"
-#include "hydro/geometry/MeshCut.h"
 #include "hydro/geometry/panels/WetSurface.h"
 #include "hydro/geometry/shapes/Shapes.h"
 #include "hydro/incident/IncidentWaveForce.h"
@@ -17,8 +16,8 @@ constexpr double kDensity = 1025.0;
 struct Coarse {
   SurfaceMesh hull = closedFrigate(80, 24), wet = wetFrigate(20, 4),
               whole = WetSurface(wet, true).whole();
-  Mat6 hullsOwn = stiffness(cutBelow(hull)), panelsOwn = stiffness(whole);
-  LackingRestoring lacking{whole, hull, hullsOwn, kG, kDensity, kStandardGravity};
+  Mat6 hullsOwn = stiffness(wholeWetSurface({hull, true})), panelsOwn = stiffness(whole);
+  LackingRestoring lacking{whole, {hull, true}, hullsOwn, kG, kDensity, kStandardGravity};
 
   static Mat6 stiffness(const SurfaceMesh& mesh) {
     return hydrostatics(mesh, kG, kDensity, kStandardGravity).restoring;
@@ -29,9 +28,9 @@ struct Coarse {
   }
 };
 
-// A wave a million times as long as the ship lifts it by its height and tilts it by its slope: F_I
-// → C η of the hull, to the next order in the wave number, kL = 1e-5; of the panels, C differs by
-// percents.
+// A wave half a million times as long as the ship lifts it by its height and tilts it by its slope:
+// F_I → C η of the hull, to the next order in the wave number, kL = 1e-5; of the panels, C differs
+// by percents.
 TEST(LackingRestoringIdentity, LongWavesMoveTheShipAsTheyMoveTheWater) {
   const Coarse coarse;
   EXPECT_GT(std::abs(coarse.panelsOwn(Roll, Roll) / coarse.hullsOwn(Roll, Roll) - 1.0), 0.01);
@@ -49,6 +48,15 @@ TEST(LackingRestoringIdentity, LongWavesMoveTheShipAsTheyMoveTheWater) {
               1e-4 * std::abs(coarse.hullsOwn(Roll, Roll) * slope));
     // Heave at a distance from the waterplane's centre is the greater part of the moment.
     EXPECT_LT(std::abs(force[Pitch] - expected[Pitch]), 1e-4 * std::abs(expected[Pitch]));
+    // Archimedes on a slope: −ρgV ∇ζ, at the centre of buoyancy.
+    const Hydrostatics h =
+        hydrostatics(wholeWetSurface({coarse.hull, true}), kG, kDensity, kStandardGravity);
+    const double weight = kStandardGravity * h.displacement;
+    const Complex alongX = -slope * std::cos(beta), alongY = slope * std::sin(beta);
+    EXPECT_LT(std::abs(force[Surge] + weight * alongX), 1e-4 * weight * std::abs(slope));
+    EXPECT_LT(std::abs(force[Sway] + weight * alongY), 1e-4 * weight * std::abs(slope));
+    const double arm = h.buoyancy.x() - kG.x();
+    EXPECT_LT(std::abs(force[Yaw] + weight * arm * alongY), 1e-4 * weight * std::abs(slope));
   }
 }
 
@@ -67,11 +75,12 @@ TEST(LackingRestoring, FadesInShortWaves) {
 TEST(LackingRestoring, NothingIsLackingOfTheHullItselfOrOfAnotherShipsRestoring) {
   const Coarse coarse;
   const AiryWave wave{0.5, 0.7, kStandardGravity};
-  const auto force = [&](const SurfaceMesh& wet, const SurfaceMesh& hull, const Mat6& restoring) {
+  const auto force = [&](const SurfaceMesh& wet, const Hull& hull, const Mat6& restoring) {
     return LackingRestoring(wet, hull, restoring, kG, kDensity, kStandardGravity).force(wave);
   };
-  EXPECT_EQ(force(cutBelow(coarse.hull), coarse.hull, coarse.hullsOwn), CVec6::Zero());
-  EXPECT_EQ(force(coarse.whole, coarse.hull, coarse.panelsOwn), CVec6::Zero());
+  const Hull hull{coarse.hull, true};
+  EXPECT_EQ(force(wholeWetSurface(hull), hull, coarse.hullsOwn), CVec6::Zero());
+  EXPECT_EQ(force(coarse.whole, hull, coarse.panelsOwn), CVec6::Zero());
   EXPECT_EQ(force(coarse.whole, {}, coarse.hullsOwn), CVec6::Zero());
   EXPECT_EQ(LackingRestoring().force(wave), CVec6::Zero());
 }

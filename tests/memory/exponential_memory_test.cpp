@@ -187,8 +187,11 @@ TEST(ExponentialMemory, RestoredStateGivesTheSameBits) {
     ASSERT_EQ(std::memcmp(again.data(), then.data(), sizeof then), 0) << n;
     ASSERT_EQ(std::memcmp(elsewhere.data(), then.data(), sizeof then), 0) << n;
   }
+  // A memory of other ticks takes it too, and their length with it.
   ExponentialMemory finer(sum, 0.01);
-  EXPECT_THROW(finer.restore(snapshot), HydroError);
+  finer.restore(snapshot);
+  EXPECT_EQ(finer.step(), 0.02);
+  EXPECT_EQ(finer.advance(shaking(0), speed(0)), first[0]);
   EXPECT_THROW(one.restore(std::span(snapshot).first(3)), HydroError);
 }
 

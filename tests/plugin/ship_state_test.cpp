@@ -156,7 +156,9 @@ TEST(Ship, TicksOfAnyLengthKeepTheMemory) {
     EXPECT_NEAR(jitter(0.01), fixed, 1e-3);
     EXPECT_NEAR(jitter(0.1), fixed, 5e-3);
     within(heaveAfter(time, [](int) { return 0.001; }), 0.001);
-    within(heaveAfter(time, [](int i) { return i % 3 == 0 ? 0.001 : i % 3 == 1 ? 0.1 : 0.02; }),
+    within(heaveAfter(time, [](int i) { return i % 3 == 0   ? 0.001
+                                               : i % 3 == 1 ? 0.1
+                                                            : 0.02; }),
            0.1);
     within(heaveAfter(time, [](int i) { return i == 60 ? 0.2 : 1.0 / 60.0; }), 0.2);
   }

@@ -85,7 +85,7 @@ TEST(Solve, GridWarningsSayWhatWouldDo) {
   EXPECT_NE(gridWarnings(one).front().find(one.unfinishedBecause), std::string::npos);
 }
 
-/// A hull λ times as large; panels that are not its own faces, a lid, both speeds of the tables.
+/// A hull λ times as large; panels that are not its own faces, a lid, two headings.
 Coefficients solvedAtScale(double scale) {
   SurfaceMesh hull = closedFrigate(32, 10), panels = wetFrigate(16, 4);
   for (SurfaceMesh* mesh : {&hull, &panels})

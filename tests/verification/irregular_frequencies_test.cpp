@@ -140,7 +140,7 @@ std::vector<double> clusters(const std::vector<double>& starts) {
   return omega;
 }
 
-/// Frigates in short waves. The lids of 361 and 1549 panels a side resolve 3.6 and 6.0 rad/s.
+/// Frigates in short waves. The panels of 361 and 1549 a side resolve 3.1 and 5.3 rad/s.
 Hull frigateInShortWaves(bool fine) {
   const Vec3 cog(-2.4165, 0.0, 1.29);
   if (!fine)
@@ -150,10 +150,10 @@ Hull frigateInShortWaves(bool fine) {
             clusters({3.0}),
             {{3.0, 1400.0}},
             {{3.0, 850.0}}};
-  return {"frigate 1549 a side, 4 to 6 rad/s",
+  return {"frigate 1549 a side, 4 to 5.3 rad/s",
           wetFrigate(172, 9),
           cog,
-          clusters({4.0, 5.88}),
+          clusters({4.0, 5.2}),
           {{4.0, 3300.0}, {6.0, 3100.0}},
           {{4.0, 2000.0}, {6.0, 3140.0}}};
 }

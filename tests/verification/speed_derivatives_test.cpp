@@ -42,7 +42,7 @@ std::array<double, 2> apart(const Coefficients& a, const Coefficients& b, int j,
   return {100.0 * most[0] / largest[0], 100.0 * most[1] / largest[1]};
 }
 
-// 5 % at 1040 panels is the acceptance line, which 433 panels meet: 4.6 % of B53 at 1.6 rad/s, 2.9 %
+// 5 % at 1040 panels is the acceptance line, which 433 panels meet: 4.6 % of B53 at 1.6 rad/s, 2.9
 // at 1040. With the areas of flattened panels, which lack surge area at the waterline, it was 10.7 %
 // at 1040. The two move towards each other, [H] by a half to a third of what Stokes moves: of heave
 // and pitch [H] is the nearer.

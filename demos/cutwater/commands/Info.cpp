@@ -105,7 +105,8 @@ std::string setting(const Coefficients& c, const std::string& key) {
 // As the solver found it, if the file tells; the matrices themselves are symmetrised in ours.
 double solversAsymmetry(const Coefficients& c, const std::string& name,
                         const OverFrequency<Mat6>& table) {
-  const std::string told = setting(c, name + "_asymmetry");
+  std::string told = setting(c, name + "_asymmetry_resolved");
+  if (told.empty()) told = setting(c, name + "_asymmetry");  // as 0.1.0 wrote it
   return 100.0 * (told.empty() ? asymmetry(table) : std::strtod(told.c_str(), nullptr));
 }
 

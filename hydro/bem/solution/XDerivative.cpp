@@ -79,9 +79,9 @@ Eigen::Matrix<Scalar, 6, 6> impulseMatrixX(const SymmetricSystem<Scalar>& system
   const double sides = normals.symmetric ? 2.0 : 1.0;
   for (const Parity parity : normals.parities()) {
     const std::vector<int> modes = normals.modes(parity);
-    const Eigen::MatrixXd n = normals.of(parity);
+    const Eigen::MatrixXd n = normals.of(parity), v = normals.velocities(parity);
     Z(modes, modes) = -density * sides * n.transpose() *
-                      xIntegrals<Scalar>(system, normals, stokes, parity, n.template cast<Scalar>(),
+                      xIntegrals<Scalar>(system, normals, stokes, parity, v.template cast<Scalar>(),
                                          potentials[static_cast<std::size_t>(parity)]);
   }
   return Z;

@@ -23,7 +23,7 @@ struct PanelPatch {
   Vec3 vectorArea = Vec3::Zero();                  ///< ∫ n dS [m²]
   Vec3 couple = Vec3::Zero();                      ///< ∫ (x − centroid) × n dS [m³]
   Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();  ///< symmetric, in the panel's plane [1/m]
-  double curved = 0.0;  ///< 0 … 1: so much of the curved surface is believed; 0: the face
+  double curved = 0.0;  ///< 0 … 1: so well is the surface known by its bend; a plane has none
 };
 
 /// What the solver works on: flat panels of the hull below calm water (hull axes, z ≤ 0), and of a

@@ -16,7 +16,7 @@ constexpr double kOwnWeight = 10.0;  // of the face's own corners in the fit
 constexpr double kPoor = 0.7,
                  kGood = 0.9;  // share of the curvature explained: none of it used, all
 constexpr double kFlat = 0.01,
-                 kHardlyFlat = 0.05;  // [rad]: a panel is flat whose neighbours turn by less, not
+                 kHardlyFlat = 0.05;  // [rad] that neighbours turn: up to it a plane, from it none
 constexpr double kKnuckle = 0.5;      // cos 60°
 constexpr double kAlike = 0.1,
                  kUnlike = 0.2;  // difference of neighbours' normals: curved up to, flat from
@@ -296,7 +296,10 @@ PanelMesh solverPanels(const SurfaceMesh& wet, bool symmetric, PanelShape shape)
     PanelPatch& patch = mesh.patches[f];
     patch.curved = surface.trust;
     patch.bend = bendOf(frame, surface);
-    patch.couple = (1.0 - surface.trust) * patch.couple + coupleOf(panels.back(), patch.bend);
+    // About the centroid of the moved panel.
+    patch.couple += (mesh.panels[f].centroid - panels.back().centroid).cross(patch.vectorArea);
+    if (!patch.bend.isZero(0.0))
+      patch.couple = (1.0 - surface.trust) * patch.couple + coupleOf(panels.back(), patch.bend);
   }
   const PatchAreas areas(wet, mesh);
   for (std::size_t f = 0; f < mesh.panels.size(); ++f) mesh.patches[f].vectorArea = areas.of(f);

@@ -15,9 +15,9 @@ namespace cutwater {
 /// its edges are not the paraboloid's: where curvature changes within a panel, as it does in a
 /// bilge of few panels. What tells is the greatest difference of a normal over the greatest turn
 /// from the panel to a neighbour: up to 0.1 the panel is curved, from 0.2 on flat, partly between.
-/// Turns above 0.25 rad count less, above 0.4 rad not at all. Neighbours that turn by less than 0.01
-/// rad (0.05: none) make the panel part of a plane, which is believed as a curved surface is;
-/// knuckles of 60° and more aside.
+/// Turns above 0.25 rad count less, above 0.4 rad not at all. Where the neighbours
+/// turn by no more than 0.01 rad, knuckles of 60° and more aside, the panel is part of a plane,
+/// which is believed as a curved surface is; from 0.05 rad on it is not.
 ///
 /// Edges on calm water stay on z = 0. The corners no longer meet those of the neighbours, and the
 /// areas grow; what integrals of the normal need instead, the vector areas of the curved surface
