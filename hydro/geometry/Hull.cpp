@@ -114,7 +114,9 @@ SurfaceMesh wetSurface(const Hull& hull) {
   return hull.symmetric ? cutAbove(wet, centreline()) : wet;
 }
 
-SurfaceMesh wholeWetSurface(const Hull& hull) {
+SurfaceMesh wholeWetSurface(const Hull& hull) { return cutBelow(hull.surface); }
+
+SurfaceMesh displacingSurface(const Hull& hull) {
   return hull.symmetric ? bothHalves(wetSurface(hull)) : cutBelow(hull.surface);
 }
 

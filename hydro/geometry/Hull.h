@@ -42,7 +42,10 @@ Hull makeHull(const SurfaceMesh& raw, const std::string& name, Symmetry symmetry
 /// sides. Faces that cross z = 0 or the centreline are cut there. Ready for makePanels.
 SurfaceMesh wetSurface(const Hull& hull);
 
-/// The wet surface of both sides; of a symmetric hull the port half and its image.
+/// The wet surface of both sides.
 SurfaceMesh wholeWetSurface(const Hull& hull);
+/// The same, of a symmetric hull the port half and its image: of what is only nearly symmetric no
+/// heel is left.
+SurfaceMesh displacingSurface(const Hull& hull);
 
 }  // namespace cutwater

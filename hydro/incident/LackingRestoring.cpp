@@ -14,7 +14,7 @@ LackingRestoring::LackingRestoring(const SurfaceMesh& wet, const Hull& hull, con
   const Hydrostatics panels = hydrostatics(wet, cog, density, gravity);
   const double size = panels.restoring.norm();
   if ((restoring - panels.restoring).norm() <= kRoundOff * size) return;
-  const Hydrostatics whole = hydrostatics(wholeWetSurface(hull), cog, density, gravity);
+  const Hydrostatics whole = hydrostatics(displacingSurface(hull), cog, density, gravity);
   if ((restoring - whole.restoring).norm() > kSameShip * size) return;
 
   // Heave, roll and pitch of the plane a + b x + c y about G: (a, c, −b).

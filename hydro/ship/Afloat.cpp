@@ -15,7 +15,7 @@ namespace {
 /// What the ship displaces: the part of its hull below calm water, both sides.
 SurfaceMesh displacing(const PanelledHull& hull) {
   if (hull.surface.faces.empty()) return wholeWet(hull);
-  return wholeWetSurface({hull.surface, hull.symmetric, false});
+  return displacingSurface({hull.surface, hull.symmetric, false});
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ constexpr double kDensity = 1025.0;
 struct Coarse {
   SurfaceMesh hull = closedFrigate(80, 24), wet = wetFrigate(20, 4),
               whole = WetSurface(wet, true).whole();
-  Mat6 hullsOwn = stiffness(wholeWetSurface({hull, true})), panelsOwn = stiffness(whole);
+  Mat6 hullsOwn = stiffness(displacingSurface({hull, true})), panelsOwn = stiffness(whole);
   LackingRestoring lacking{whole, {hull, true}, hullsOwn, kG, kDensity, kStandardGravity};
 
   static Mat6 stiffness(const SurfaceMesh& mesh) {
@@ -50,7 +50,7 @@ TEST(LackingRestoringIdentity, LongWavesMoveTheShipAsTheyMoveTheWater) {
     EXPECT_LT(std::abs(force[Pitch] - expected[Pitch]), 1e-4 * std::abs(expected[Pitch]));
     // Archimedes on a slope: −ρgV ∇ζ, at the centre of buoyancy.
     const Hydrostatics h =
-        hydrostatics(wholeWetSurface({coarse.hull, true}), kG, kDensity, kStandardGravity);
+        hydrostatics(displacingSurface({coarse.hull, true}), kG, kDensity, kStandardGravity);
     const double weight = kStandardGravity * h.displacement;
     const Complex alongX = -slope * std::cos(beta), alongY = slope * std::sin(beta);
     EXPECT_LT(std::abs(force[Surge] + weight * alongX), 1e-4 * weight * std::abs(slope));
@@ -79,7 +79,7 @@ TEST(LackingRestoring, NothingIsLackingOfTheHullItselfOrOfAnotherShipsRestoring)
     return LackingRestoring(wet, hull, restoring, kG, kDensity, kStandardGravity).force(wave);
   };
   const Hull hull{coarse.hull, true};
-  EXPECT_EQ(force(wholeWetSurface(hull), hull, coarse.hullsOwn), CVec6::Zero());
+  EXPECT_EQ(force(displacingSurface(hull), hull, coarse.hullsOwn), CVec6::Zero());
   EXPECT_EQ(force(coarse.whole, hull, coarse.panelsOwn), CVec6::Zero());
   EXPECT_EQ(force(coarse.whole, {}, coarse.hullsOwn), CVec6::Zero());
   EXPECT_EQ(LackingRestoring().force(wave), CVec6::Zero());

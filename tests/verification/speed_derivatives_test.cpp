@@ -43,7 +43,7 @@ std::array<double, 2> apart(const Coefficients& a, const Coefficients& b, int j,
 }
 
 // 5 % at 1040 panels is the acceptance line, which 433 panels meet: 4.6 % of B53 at 1.6 rad/s, 2.9
-// at 1040. With the areas of flattened panels, which lack surge area at the waterline, it was 10.7 %
+// at 1040. With the areas of flattened panels, which lack surge area at the waterline, it was 10.7
 // at 1040. The two move towards each other, [H] by a half to a third of what Stokes moves: of heave
 // and pitch [H] is the nearer.
 TEST(SpeedDerivativesVerification, StokesAndTheSourceLayersGradientAgreeAtSpeed) {
