@@ -109,15 +109,16 @@ Hull makeHull(const SurfaceMesh& raw, const std::string& name, Symmetry symmetry
   return hull;
 }
 
+SurfaceMesh wholeWetSurface(const Hull& hull) { return cutBelow(hull.surface); }
+
 SurfaceMesh wetSurface(const Hull& hull) {
-  const SurfaceMesh wet = cutBelow(hull.surface);
+  const SurfaceMesh wet = wholeWetSurface(hull);
   return hull.symmetric ? cutAbove(wet, centreline()) : wet;
 }
 
-SurfaceMesh wholeWetSurface(const Hull& hull) { return cutBelow(hull.surface); }
-
 SurfaceMesh displacingSurface(const Hull& hull) {
-  return hull.symmetric ? bothHalves(wetSurface(hull)) : cutBelow(hull.surface);
+  const SurfaceMesh wet = wetSurface(hull);
+  return hull.symmetric ? bothHalves(wet) : wet;
 }
 
 }  // namespace cutwater

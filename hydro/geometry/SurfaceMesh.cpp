@@ -96,6 +96,12 @@ Vec3 vectorArea(const SurfaceMesh& mesh, const Face& face) {
   return 0.5 * (p(2) - p(0)).cross(p(3) - p(1));
 }
 
+Vec3 meanCorner(const SurfaceMesh& mesh, const Face& face) {
+  Vec3 mean = Vec3::Zero();
+  for (int i = 0; i < face.size(); ++i) mean += mesh.corner(face, i) / face.size();
+  return mean;
+}
+
 SurfaceMesh mirroredInY(const SurfaceMesh& mesh) {
   SurfaceMesh out = turnedOver(mesh);
   for (Vec3& p : out.vertices) p.y() = p.y() == 0.0 ? 0.0 : -p.y();

@@ -44,6 +44,8 @@ enum class PanelShape {
 /// Vector area n·S of a face [m²]: half the cross product of its diagonals, exact for a twisted
 /// quadrilateral too.
 Vec3 vectorArea(const SurfaceMesh& mesh, const Face& face);
+/// Mean of a face's corners.
+Vec3 meanCorner(const SurfaceMesh& mesh, const Face& face);
 
 /// The surface mirrored in the plane y = 0, with its faces turned so that normals stay outward.
 SurfaceMesh mirroredInY(const SurfaceMesh& mesh);

@@ -31,8 +31,7 @@ LackingRestoring::LackingRestoring(const SurfaceMesh& wet, const Hull& hull, con
   // The waterplane is the hull seen from below: −n_z dS, one point a face.
   Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
   for (const Face& face : wet.faces) {
-    Vec3 middle = Vec3::Zero();
-    for (int i = 0; i < face.size(); ++i) middle += wet.corner(face, i) / face.size();
+    const Vec3 middle = meanCorner(wet, face);
     const Point point{middle.x() - cog.x(), middle.y() - cog.y(), -vectorArea(wet, face).z()};
     if (point.area == 0.0) continue;
     const Vec3 terms(1.0, point.x, point.y);

@@ -64,14 +64,11 @@ class EndFinder {
     for (const Face* f : faces_) {
       const Vec3 n = vectorArea(wet_, *f);
       bool inside = normal.dot(n) > kAlike * n.norm();
-      Vec3 centre = Vec3::Zero();
-      for (int i = 0; i < f->size(); ++i) {
-        centre += wet_.corner(*f, i) / f->size();
+      for (int i = 0; i < f->size(); ++i)
         inside = inside && std::abs(normal.dot(wet_.corner(*f, i) - point)) < rough_;
-      }
       if (!inside) continue;
       sum += n;
-      moment += n.dot(centre);
+      moment += n.dot(meanCorner(wet_, *f));
       plane.area += n.norm();
       for (int i = 0; i < f->size(); ++i) plane.vertices.push_back((*f)[i]);
     }

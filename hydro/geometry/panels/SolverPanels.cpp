@@ -57,12 +57,8 @@ class Neighbourhood {
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
       const Face& face = mesh.faces[f];
       normal_.push_back(vectorArea(mesh, face).normalized());
-      Vec3 middle = Vec3::Zero();
-      for (int i = 0; i < face.size(); ++i) {
-        middle += mesh.corner(face, i) / face.size();
-        around_[static_cast<std::size_t>(face[i])].push_back(f);
-      }
-      middle_.push_back(middle);
+      middle_.push_back(meanCorner(mesh, face));
+      for (int i = 0; i < face.size(); ++i) around_[static_cast<std::size_t>(face[i])].push_back(f);
     }
   }
   /// The surface over face f as far as the normals across its edges bear it out: the paraboloid

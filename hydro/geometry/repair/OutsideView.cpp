@@ -53,8 +53,7 @@ double OutsideView::share(const Vec3& from, const Vec3& normal, int face, int ra
 
 OutsideView::Shares OutsideView::of(int face, int rays) const {
   const Face& f = wet_.faces[static_cast<std::size_t>(face)];
-  Vec3 centre = Vec3::Zero();
-  for (int i = 0; i < f.size(); ++i) centre += wet_.corner(f, i) / f.size();
+  const Vec3 centre = meanCorner(wet_, f);
   const Vec3 normal = vectorArea(wet_, f).normalized();
   const double off = 1e-7 * reach_;
   return {share(centre + off * normal, normal, face, rays),
