@@ -1,5 +1,7 @@
 #include "hydro/database/Coefficients.h"
 
+#include <algorithm>
+
 #include "hydro/Errors.h"
 #include "hydro/geometry/panels/WetSurface.h"
 
@@ -7,6 +9,16 @@ namespace cutwater {
 
 WetSurface CoefficientTables::wet() const& noexcept {
   return {ship.wetSurface, ship.symmetric, panelShape};
+}
+
+std::string Provenance::setting(const std::string& key) const {
+  const std::size_t at = settings.find(key + " = ");
+  if (at == std::string::npos) return {};
+  const std::size_t from = at + key.size() + 3,
+                    end = std::min(settings.find('\n', from), settings.size());
+  std::string value = settings.substr(from, end - from);
+  std::erase(value, '"');
+  return value;
 }
 
 void requireFinished(const Coefficients& coefficients, const char* forWhat) {

@@ -23,6 +23,9 @@ struct Provenance {
   std::string version;   ///< of the program that wrote it
   std::string meshHash;  ///< of the wet surface, 16 hex digits
   std::string settings;  ///< the solver's settings as TOML
+
+  /// The value of one of the settings, without quotes; empty if it is not there.
+  std::string setting(const std::string& key) const;
 };
 
 /// Which terms a forward speed U adds to coefficients at rest (database/ForwardSpeed.h).

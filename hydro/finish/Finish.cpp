@@ -14,8 +14,7 @@ namespace cutwater {
 namespace {
 
 void symmetrise(Coefficients& c) {
-  // Frequencies that the panels do not resolve are wild; so is a resonance inside the hull, which
-  // the mask takes out or the lid has taken out.
+  // Frequencies that the panels do not resolve are wild.
   c.provenance.settings +=
       fmt::format("added_mass_asymmetry_resolved = {:.3g}\ndamping_asymmetry_resolved = {:.3g}\n",
                   asymmetry(c.addedMass, resolvedCount(c)), asymmetry(c.damping, resolvedCount(c)));

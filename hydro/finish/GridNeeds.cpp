@@ -31,12 +31,6 @@ std::string lastOf(const GridNeeds& grid) {
   return needed(grid.neededLast, kLast, "sqrt(g/beam)", true);
 }
 
-/// Of a line `key = number` in the solver's settings; 0 without one.
-double numberIn(const std::string& settings, const std::string& key) {
-  const std::size_t at = settings.find(key + " = ");
-  return at == std::string::npos ? 0.0 : std::strtod(&settings[at + key.size() + 3], nullptr);
-}
-
 }  // namespace
 
 GridNeeds::GridNeeds(const Coefficients& c) {
@@ -110,7 +104,6 @@ std::optional<NegativeDamping> negativeDamping(const CoefficientTables& c) {
 
 std::vector<std::string> panelWarnings(const CoefficientTables& c) {
   constexpr double kMostAsymmetry = 0.1;
-  const std::vector<int>& irregular = c.masked;  // asymmetric for another reason
   std::vector<std::string> lines;
   for (const NegativeDamping& negative : negativeDampings(c))
     lines.push_back(
@@ -119,8 +112,9 @@ std::vector<std::string> panelWarnings(const CoefficientTables& c) {
                     kModeNames[negative.mode], negative.omega, 100.0 * negative.share));
   for (const auto& [key, what] :
        {std::pair{"added_mass_asymmetry_resolved", "A"}, {"damping_asymmetry_resolved", "B"}}) {
-    const double asymmetry = numberIn(c.provenance.settings, key);
-    if (asymmetry > kMostAsymmetry && irregular.empty())
+    // Masked frequencies are asymmetric for another reason.
+    const double asymmetry = std::strtod(c.provenance.setting(key).c_str(), nullptr);
+    if (asymmetry > kMostAsymmetry && c.masked.empty())
       lines.push_back(
           fmt::format("{} differs from its transpose by {:.2g} %: the panels do not "
                       "carry its couplings, use a finer mesh",

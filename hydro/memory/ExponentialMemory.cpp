@@ -37,11 +37,13 @@ CUTWATER_VECTOR double weighted(const double* a, const double* b, std::size_t co
   return (lane[0] + lane[2]) + (lane[1] + lane[3]);
 }
 
+bool isTick(double h) { return h > 0.0 && std::isfinite(h); }
+
 }  // namespace
 
 ExponentialMemory::ExponentialMemory(const ExponentialSum& sum, double step)
     : sum_(sum), step_(step), width_(sum.width()) {
-  if (!(step > 0.0) || !std::isfinite(step)) {
+  if (!isTick(step)) {
     throw HydroError(Fault::ValueOutOfRange,
                      fmt::format("ExponentialMemory: step = {} s, must be > 0", step));
   }
@@ -53,7 +55,7 @@ ExponentialMemory::ExponentialMemory(const ExponentialSum& sum, double step)
 
 bool ExponentialMemory::setStep(double h) noexcept {
   if (h == step_) return true;
-  if (!(h > 0.0) || !std::isfinite(h)) return false;
+  if (!isTick(h)) return false;
   step_ = h;
   makeAdvance();
   return true;
@@ -112,7 +114,7 @@ void ExponentialMemory::save(std::span<double> state) const noexcept {
 }
 
 bool ExponentialMemory::fits(std::span<const double> state) const noexcept {
-  return state.size() == stateSize() && state[0] > 0.0 && std::isfinite(state[0]);
+  return state.size() == stateSize() && isTick(state[0]);
 }
 
 void ExponentialMemory::restore(std::span<const double> state) {

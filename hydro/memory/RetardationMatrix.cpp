@@ -111,9 +111,7 @@ void RetardationMatrix::keepTailsPositive() {
                ? power[e.j] + power[e.k] - 2.0 * e.function.tailPower_
                : -1.0;
   };
-  const auto beside = [&](const Entry& e) {
-    return excess(e) > 0.0 ? 0.0 : far(e.function) / (own[e.j] * own[e.k]);
-  };
+  const auto beside = [&](const Entry& e) { return far(e.function) / (own[e.j] * own[e.k]); };
   // Modes of one parity by themselves, if those of the other are not coupled with them: they have
   // no part in what is wrong there.
   const bool mixed = std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) {
@@ -125,14 +123,14 @@ void RetardationMatrix::keepTailsPositive() {
     };
     Mat6 matrix = Mat6::Identity();
     for (const Entry& e : entries_)
-      if (belongs(e)) matrix(e.j, e.k) = matrix(e.k, e.j) = std::clamp(beside(e), -1.0, 1.0);
+      if (belongs(e) && excess(e) == 0.0)
+        matrix(e.j, e.k) = matrix(e.k, e.j) = std::clamp(beside(e), -1.0, 1.0);
     const Eigen::SelfAdjointEigenSolver<Mat6> eigen(matrix, Eigen::EigenvaluesOnly);
     // I + s(M − I) has no eigenvalue below 0.
     const double share = 1.0 / (1.0 - std::min(0.0, eigen.eigenvalues().minCoeff()));
     for (Entry& e : entries_) {
       if (!belongs(e)) continue;
-      const double found = far(e.function) / (own[e.j] * own[e.k]);
-      const double kept = share * matrix(e.j, e.k) / found;
+      const double kept = share * matrix(e.j, e.k) / beside(e);
       if (kept < 1.0 - kPositive) e.function.tailBend_ = (kept - 1.0) * (1.0 + e.function.tailMix_);
     }
   }

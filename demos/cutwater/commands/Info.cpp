@@ -91,22 +91,11 @@ void listMask(Csv& csv, const Coefficients& c) {
   }
 }
 
-// The value of a key in the solver's settings, kept as TOML text; empty if it is not there.
-std::string setting(const Coefficients& c, const std::string& key) {
-  const std::string& text = c.provenance.settings;
-  const std::size_t at = text.find(key + " = ");
-  if (at == std::string::npos) return {};
-  const std::size_t from = at + key.size() + 3, end = std::min(text.find('\n', from), text.size());
-  std::string value = text.substr(from, end - from);
-  std::erase(value, '"');
-  return value;
-}
-
 // As the solver found it, if the file tells; the matrices themselves are symmetrised in ours.
 double solversAsymmetry(const Coefficients& c, const std::string& name,
                         const OverFrequency<Mat6>& table) {
-  std::string told = setting(c, name + "_asymmetry_resolved");
-  if (told.empty()) told = setting(c, name + "_asymmetry");  // as 0.1.0 wrote it
+  std::string told = c.provenance.setting(name + "_asymmetry_resolved");
+  if (told.empty()) told = c.provenance.setting(name + "_asymmetry");  // as 0.1.0 wrote it
   return 100.0 * (told.empty() ? asymmetry(table) : std::strtod(told.c_str(), nullptr));
 }
 
@@ -169,7 +158,7 @@ void info(const std::string& database, const std::string& out) {
   for (std::size_t i = 0; i < c.headings.size(); ++i) {
     number(fmt::format("heading_{}", i + 1), c.headings[i] * 180.0 / kPi, "deg");
   }
-  list(csv, "formulation", setting(c, "formulation"), "");
+  list(csv, "formulation", c.provenance.setting("formulation"), "");
   listSpeed(csv, c);
   listMask(csv, c);
   listMemory(csv, c);
