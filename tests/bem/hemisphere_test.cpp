@@ -110,14 +110,14 @@ TEST(HemisphereClosedForm, CurvedPanelsHaveTheVolumeOfTheSphere) {
   for (std::size_t c = 0; c < 4; ++c) {
     EXPECT_LE(100.0 * at432[c], kAsked432[c]) << names[c];
     EXPECT_LE(100.0 * at1040[c], kPeers1040[c] + kTwoDecimals) << names[c];
-    const auto record = [&](const char* count, double reached, double bound) {
+    const auto record = [&](const char* count, double reached, const char* than, double bound) {
       recordResult("solver",
                    std::string(names[c]) + ", hemisphere, " + count +
                        " panels a side, curved by default, lid, Ka ≤ 2, % of maximum",
-                   "Hulme 1982", reached, "≤ " + std::to_string(bound).substr(0, 4));
+                   "Hulme 1982", reached, than + std::to_string(bound).substr(0, 4));
     };
-    record("432", 100.0 * at432[c], kAsked432[c]);
-    record("1040", 100.0 * at1040[c], kPeers1040[c]);
+    record("432", 100.0 * at432[c], "≤ ", kAsked432[c]);
+    record("1040", 100.0 * at1040[c], "best peer ", kPeers1040[c]);
   }
 }
 
