@@ -46,19 +46,42 @@ class HydroError : public std::runtime_error {
   Fault fault_;
 };
 
-/// What went wrong during a tick, as bits; Seaway returns them and keeps them until they are read.
+/// What happened during a tick, as bits; Seaway keeps them until they are cleared. Those of
+/// kWarningBits say that the ship is where its theory does not hold, or that somebody changed it:
+/// the run goes on. The others say that something is broken.
+///     if (seaway.faults() & ~kWarningBits) stop();
+///     std::puts(faultText(seaway.faults()).c_str());
 enum StepFault : std::uint32_t {
   kStepOk = 0,
-  kLoadNotFinite = 1u << 0,       ///< a load was NaN or infinite and was not applied
-  kStateNotFinite = 1u << 1,      ///< the body's position or velocity is NaN or infinite
+  // Broken.
+  /// A load, or a force that somebody put on the body, was NaN or infinite and was not applied.
+  kLoadNotFinite = 1u << 0,
+  /// The body's place or velocity was NaN or infinite; it was put back where it last was well.
+  kStateNotFinite = 1u << 1,
   kTickLengthChanged = 1u << 2,   ///< the convolution was restarted for the new tick length
-  kBodyNotInWorld = 1u << 3,      ///< the ship's body was removed from the world by somebody else
+  kBodyNotInWorld = 1u << 3,      ///< the ship's body was taken out of the world by somebody else
   kSolverNotSupported = 1u << 4,  ///< the world's solver cannot carry added mass (btMLCPSolver)
   kCallbackReplaced = 1u << 5,    ///< somebody replaced the pre-tick callback: a tick without loads
   /// The ship makes a speed at which its own motions grow (Hydrodynamics::stability): outside the
   /// theory, and all loads are applied.
   kSpeedOutsideTheory = 1u << 6,
   kTickNotPositive = 1u << 7,  ///< a tick of no length or less: it passed without loads and weight
+  /// A tick too long for the ship's own motions: its loads acted for as long as they can be right.
+  kTickTooLong = 1u << 8,
+  /// A constraint of ours was taken out of the world, and put back; or deleted: no loads from then.
+  kConstraintRemoved = 1u << 9,
+  kMassChanged = 1u << 10,     ///< the body's mass or inertia is not the database's any more
+  kGravityChanged = 1u << 11,  ///< the world's gravity is not the database's, or does not point down
+  /// Tilted more than linear theory can carry (Ship::kLargestTilt): all loads are applied, bounded.
+  kAttitudeOutsideTheory = 1u << 12,
+  kOutOfWater = 1u << 13,     ///< the whole hull is above the waves, or below them
+  kFarFromCourse = 1u << 14,  ///< far from the mean place where waves are taken (Ship::offCourse)
+  kCourseBegan = 1u << 15,    ///< somebody set the body elsewhere: its mean course began there
 };
+
+/// The bits after which a run may go on.
+inline constexpr std::uint32_t kWarningBits =
+    kTickLengthChanged | kSpeedOutsideTheory | kTickTooLong | kMassChanged | kGravityChanged |
+    kAttitudeOutsideTheory | kOutOfWater | kFarFromCourse | kCourseBegan;
 
 }  // namespace cutwater
