@@ -70,29 +70,57 @@ btVector3 gyroscopicChange(const btRigidBody& body, btScalar step) {
 
 }  // namespace
 
-// With y = √M x the generalised problem A∞ x = l M x is the symmetric one of √M⁻¹ A∞ √M⁻¹, whose
-// unit eigenvectors y give xᵀMx = 1 and J = M x = √M y.
 AddedMassConstraint::AddedMassConstraint(btRigidBody& body, const Mat6& addedMass)
-    : btTypedConstraint(MAX_CONSTRAINT_TYPE, body, body) {
+    : btTypedConstraint(MAX_CONSTRAINT_TYPE, body, body),
+      addedMass_(0.5 * (addedMass + addedMass.transpose())),
+      root_(rootOfMass(body)) {
   if (!addedMass.allFinite()) {
     throw HydroError(Fault::ValueOutOfRange, "AddedMassConstraint: added mass is not finite");
   }
-  const Vec6 root = rootOfMass(body);
-  const Mat6 scaled = root.cwiseInverse().asDiagonal() *
-                      (0.5 * (addedMass + addedMass.transpose())) *
-                      root.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Mat6> eigen(scaled);
-  for (int r = 5; r >= 0; --r) {
-    const double ratio = eigen.eigenvalues()[r];
-    if (ratio < kSmallestRatio) continue;
-    const Vec6 j = root.cwiseProduct(eigen.eigenvectors().col(r));
-    const Vec6 x = j.cwiseQuotient(root.cwiseAbs2());
-    rows_[static_cast<std::size_t>(count_++)] = {j.head<3>(), j.tail<3>(), x.head<3>(), x.tail<3>(),
-                                                 ratio};
-  }
+  findRows(addedMass_);
+  largestRatio_ = count_ == 0 ? 0.0 : rows_[0].ratio;
   feedback_ = {};
   setJointFeedback(&feedback_);
   forgetPast();
+}
+
+// With y = √M x the generalised problem A∞ x = l M x is the symmetric one of √M⁻¹ A∞ √M⁻¹, whose
+// unit eigenvectors y give xᵀMx = 1 and J = M x = √M y. Ratios fall from row to row.
+void AddedMassConstraint::findRows(const Mat6& addedMass) noexcept {
+  const Mat6 scaled =
+      root_.cwiseInverse().asDiagonal() * addedMass * root_.cwiseInverse().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Mat6> eigen(scaled);
+  count_ = 0;
+  for (int r = 5; r >= 0; --r) {
+    const double ratio = eigen.eigenvalues()[r];
+    if (ratio < kSmallestRatio) continue;
+    const Vec6 j = root_.cwiseProduct(eigen.eigenvectors().col(r));
+    const Vec6 x = j.cwiseQuotient(root_.cwiseAbs2());
+    rows_[static_cast<std::size_t>(count_++)] = {j.head<3>(), j.tail<3>(), x.head<3>(), x.tail<3>(),
+                                                 ratio};
+  }
+}
+
+// A factor of 0 takes an axis of the world out of every impulse, and so out of what A∞ resists.
+void AddedMassConstraint::heedFactors() noexcept {
+  const Vec3 linear = fromBullet(m_rbA.getLinearFactor());
+  const Vec3 angular = fromBullet(m_rbA.getAngularFactor());
+  const bool held = (linear.array() == 0.0).any() || (angular.array() == 0.0).any();
+  if (!held && !held_) return;
+  held_ = held;
+  if (!held) {
+    findRows(addedMass_);
+    return;
+  }
+  const Mat3 toEarth = fromBullet(axes());
+  const auto free = [&](const Vec3& factor) {
+    const Vec3 kept = (factor.array() != 0.0).cast<double>();
+    return Mat3(toEarth.transpose() * kept.asDiagonal() * toEarth);
+  };
+  Mat6 projection = Mat6::Zero();
+  projection.topLeftCorner<3, 3>() = free(linear);
+  projection.bottomRightCorner<3, 3>() = free(angular);
+  findRows(projection * addedMass_ * projection);
 }
 
 // integrateTransforms copies the solver's velocity into the interpolation velocity before any
@@ -121,9 +149,7 @@ Vec3 AddedMassConstraint::moment() const noexcept {
   return fromBullet(feedback_.m_appliedTorqueBodyA) + fromBullet(feedback_.m_appliedTorqueBodyB);
 }
 
-double AddedMassConstraint::largestRatio() const noexcept {
-  return count_ == 0 ? 0.0 : rows_[0].ratio;  // in falling order
-}
+double AddedMassConstraint::largestRatio() const noexcept { return largestRatio_; }
 
 int AddedMassConstraint::iterationsFor(double tolerance) const noexcept {
   const double l = largestRatio();
@@ -138,6 +164,7 @@ void AddedMassConstraint::setActive(bool on) noexcept {
 }
 
 void AddedMassConstraint::getInfo1(btConstraintInfo1* info) {
+  heedFactors();
   info->m_numConstraintRows = active_ ? count_ : 0;
   info->nub = 6 - info->m_numConstraintRows;
 }

@@ -32,10 +32,11 @@ CUTWATER_PLUGIN_BEGIN
 /// (l/(1+l))ⁿ against a much heavier partner; see iterationsFor().
 ///
 /// v⁻ is the velocity after the last tick's solve, not that before this one, so that an impulse
-/// that a user applies between two ticks moves M + A∞ too. Bullet's linear and angular factors are
-/// not respected: hold a mode by a constraint. btMLCPSolver mishandles constraints with one body
-/// and must not be used.
-class AddedMassConstraint final : public btTypedConstraint {
+/// that a user applies between two ticks moves M + A∞ too. A body whose linear or angular factor is
+/// 0 along an axis of the world is held there by Bullet; it moves with M + A∞ in the others,
+/// P A∞ P with P = diag(0 or 1). btMLCPSolver mishandles constraints with one body and must not be
+/// used.
+class AddedMassConstraint : public btTypedConstraint {
  public:
   /// @param body      a dynamic body; keeps its own mass and inertia; must outlive this object.
   /// @param addedMass A∞ [kg, kg·m, kg·m²] about the centre of mass in body axes (of the axes
@@ -87,7 +88,7 @@ class AddedMassConstraint final : public btTypedConstraint {
   btScalar getParam(int, int) const override { return 0; }
 
  private:
-  struct Row {
+  struct Row {               // of M + A∞ with the body free, or held by its factors
     Vec3 linear, angular;    // J in the axes of A∞
     Vec3 linearX, angularX;  // x = M⁻¹J
     double ratio;            // l
@@ -95,11 +96,17 @@ class AddedMassConstraint final : public btTypedConstraint {
   const btMatrix3x3& axes() const noexcept {
     return follows_ ? followed_ : m_rbA.getWorldTransform().getBasis();
   }
+  void findRows(const Mat6& addedMass) noexcept;
+  void heedFactors() noexcept;
   void pendingChange(Vec3& linear, Vec3& angular) const noexcept;
   Vec6 changeByTurning(const btMatrix3x3& axesNow) const noexcept;
 
+  Mat6 addedMass_;  // A∞, symmetric
+  Vec6 root_;       // √M
   std::array<Row, 6> rows_;
   int count_ = 0;
+  bool held_ = false;          // by a factor: rows are of P A∞ P
+  double largestRatio_ = 0.0;  // of the free body
   btScalar step_ = 0;
   btVector3 linear_, angular_;  // v⁻ in E
   btMatrix3x3 pastAxes_;        // of v⁻

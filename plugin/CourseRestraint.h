@@ -8,7 +8,7 @@ CUTWATER_PLUGIN_BEGIN
 /// Holds some of a ship's modes on a mean course that moves and turns. One row a mode asks for the
 /// velocity that brings the ship onto the course by the end of the tick, whatever acts on it. (A
 /// stock six degree of freedom joint to the world would trail behind a moving course.)
-class CourseRestraint final : public btTypedConstraint {
+class CourseRestraint : public btTypedConstraint {
  public:
   /// @param body  must outlive this object.  @param modes  held, surge to yaw.
   CourseRestraint(btRigidBody& body, const std::array<bool, 6>& modes);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 
 #include "hydro/Errors.h"
@@ -27,15 +28,65 @@ btDiscreteDynamicsWorld& checked(btDiscreteDynamicsWorld& world) {
       "two; added mass would be wrong. Use btSequentialImpulseConstraintSolver");
 }
 
-void checkGravity(const btVector3& gravity, const WorldFrame& frame) {
+// Bullet's examples take 10 m/s²: that makes no difference to a ship, whose weight is carried.
+constexpr double kWorldGravity = 0.05;
+// The same planet, given to three digits or four: wave numbers are g's.
+constexpr double kSeaGravity = 1e-3;
+
+std::string text(const btVector3& v) {
+  std::ostringstream line;
+  line << '(' << v.x() << ", " << v.y() << ", " << v.z() << ')';
+  return line.str();
+}
+
+void checkGravity(const btVector3& gravity, const WorldFrame& frame, double right) {
   const Vec3 g = frame.lengthToEarth(gravity);
   const double sideways = std::hypot(g.x(), g.y()), down = -g.z();
-  if (down >= 0.0 && sideways <= 1e-6 * down) return;
-  throw HydroError(Fault::ValueOutOfRange,
-                   std::string("Seaway::addShip: gravity must point down (along -") +
-                       (frame.up == WorldFrame::Up::Z ? "z" : "y, as WorldFrame says") +
-                       ") or be zero, it is (" + std::to_string(gravity.x()) + ", " +
-                       std::to_string(gravity.y()) + ", " + std::to_string(gravity.z()) + ")");
+  const auto refuse = [&](const std::string& what) {
+    throw HydroError(Fault::ValueOutOfRange,
+                     "Seaway::addShip: the world's gravity " + what + ", it is " + text(gravity));
+  };
+  if (!(down >= 0.0 && sideways <= 1e-6 * down)) {
+    refuse(std::string("must point down (along -") +
+           (frame.up == WorldFrame::Up::Z ? "z" : "y, as WorldFrame says") + ") or be zero");
+  }
+  if (down == 0.0 || std::abs(down - right) <= kWorldGravity * right) return;
+  std::ostringstream line;
+  line << "must be that of the database, " << right << " m/s2, here " << right / frame.metresPerUnit
+       << " units/s2 (WorldFrame::metresPerUnit = " << frame.metresPerUnit << ')';
+  refuse(line.str());
+}
+
+void checkSea(const SeaState& sea, double right) {
+  if (sea.components().empty() || std::abs(sea.gravity() - right) <= kSeaGravity * right) return;
+  std::ostringstream line;
+  line << "Seaway::addShip: the sea's gravity " << sea.gravity()
+       << " m/s2 is not that of the database, " << right << " m/s2: give that to SeaState";
+  throw HydroError(Fault::ValueOutOfRange, line.str());
+}
+
+std::string kindOf(const btTypedConstraint& joint) {
+  switch (joint.getConstraintType()) {
+    case POINT2POINT_CONSTRAINT_TYPE:
+      return "btPoint2PointConstraint";
+    case HINGE_CONSTRAINT_TYPE:
+      return "btHingeConstraint";
+    case CONETWIST_CONSTRAINT_TYPE:
+      return "btConeTwistConstraint";
+    case D6_CONSTRAINT_TYPE:
+    case D6_SPRING_CONSTRAINT_TYPE:
+      return "btGeneric6DofConstraint";
+    case D6_SPRING_2_CONSTRAINT_TYPE:
+      return "btGeneric6DofSpring2Constraint";
+    case SLIDER_CONSTRAINT_TYPE:
+      return "btSliderConstraint";
+    case GEAR_CONSTRAINT_TYPE:
+      return "btGearConstraint";
+    case FIXED_CONSTRAINT_TYPE:
+      return "btFixedConstraint";
+    default:
+      return "constraint of type " + std::to_string(joint.getConstraintType());
+  }
 }
 
 WorldFrame checked(const WorldFrame& frame) {
@@ -64,7 +115,10 @@ Seaway::Seaway(btDiscreteDynamicsWorld& world, SeaState sea, const WorldFrame& f
       listener_(std::make_unique<Listener>(*this)),
       hook_(std::make_unique<WorldHook>(world, *listener_)) {}
 
-Seaway::~Seaway() = default;
+Seaway::~Seaway() {
+  const auto stands = [](const auto& ship) { return ship->inWorld(); };
+  if (std::any_of(ships_.begin(), ships_.end(), stands)) hook_->worldLives();
+}
 
 void Seaway::setThreads(unsigned threads) {
   if (threads < 1 || threads > 1024) {
@@ -92,11 +146,26 @@ Ship& Seaway::add(std::shared_ptr<const Hydrodynamics> hydrodynamics, const Ship
     if (own != &ship->body()) continue;
     throw HydroError(Fault::BadArgument, "Seaway::addShip: the body is a ship of this sea already");
   }
-  checkGravity(world_.getGravity(), frame_);
+  checkGravity(world_.getGravity(), frame_, hydrodynamics->ship().gravity);
+  checkSea(*sea_, hydrodynamics->ship().gravity);
   ships_.reserve(ships_.size() + 1);
   shipFaults_.resize(ships_.size() + 1);
-  return *ships_.emplace_back(
-      std::make_unique<Ship>(world_, frame_, tablesOf(std::move(hydrodynamics)), settings, own));
+  auto ship =
+      std::make_unique<Ship>(world_, frame_, tablesOf(std::move(hydrodynamics)), settings, own);
+  if (preparedFor_ > 0.0) ship->prepare(preparedFor_);
+  return *ships_.emplace_back(std::move(ship));
+}
+
+void Seaway::prepare(double step) {
+  for (const auto& ship : ships_) ship->prepare(step);
+  preparedFor_ = step;
+}
+
+Ship* Seaway::shipOf(const btCollisionObject& body) const noexcept {
+  for (const auto& ship : ships_) {
+    if (&ship->body() == &body) return ship.get();
+  }
+  return nullptr;
 }
 
 Ship& Seaway::addShip(std::shared_ptr<const Hydrodynamics> hydrodynamics,
@@ -119,6 +188,16 @@ Ship& Seaway::addShip(Coefficients coefficients, btRigidBody& body, const ShipSe
 
 // The tables of a sea go with their last ship; Hydrodynamics live as long as somebody holds them.
 void Seaway::removeShip(Ship& ship) {
+  const auto refuse = [](const std::string& what) {
+    throw HydroError(Fault::BadArgument, "Seaway::removeShip: " + what);
+  };
+  const auto isIt = [&](const auto& owned) { return owned.get() == &ship; };
+  if (std::none_of(ships_.begin(), ships_.end(), isIt)) refuse("it is no ship of this sea");
+  if (const btTypedConstraint* joint = ship.foreignConstraint()) {
+    refuse("a joint of yours (" + kindOf(*joint) +
+           ") still holds the body that is about to go; removeConstraint() it first");
+  }
+  ship.worldLives();
   std::erase_if(ships_, [&](const auto& owned) { return owned.get() == &ship; });
   std::erase_if(tables_, [](const auto& tables) { return tables.use_count() == 1; });
 }
@@ -180,7 +259,7 @@ void Seaway::beforeTick(btScalar step) noexcept {
 }
 
 void Seaway::afterTick(btScalar step) noexcept {
-  for (const auto& ship : ships_) ship->endTick(step);
+  for (const auto& ship : ships_) faults_ |= ship->endTick(step);
   for (TickObserver* observer : observers_) observer->tickDone(*this);
   time_ += static_cast<double>(step);
 }

@@ -31,19 +31,22 @@ class TickObserver {
 ///     while (running) world.stepSimulation(frame, 4, 1.0 / 60);   // ship.body() moves
 ///
 /// All loads come from one evaluation per internal tick, so results do not depend on how ticks are
-/// grouped into stepSimulation calls, nor on threads. The tick should be fixed: another length
-/// restarts the memory of radiated waves. Gravity, contacts, joints, forces, callbacks of the user
-/// work as without us; set velocities by Ship::resetVelocity. One thread at a time, as the world
-/// itself. Contacts and joints need btContactSolverInfo::m_numIterations of
-/// AddedMassConstraint::iterationsFor.
+/// grouped into stepSimulation calls, nor on threads. Ticks may vary (but for
+/// MemoryModel::Convolution); a fixed one is the more accurate. Contacts, joints, forces, callbacks
+/// of the user work as without us; set velocities by Ship::resetVelocity. One thread at a time, as
+/// the world itself; worlds on different threads may share one Hydrodynamics. Contacts and joints
+/// need btContactSolverInfo::m_numIterations of AddedMassConstraint::iterationsFor.
 class Seaway final {
  public:
-  /// @param world must outlive the Seaway.
+  /// @param world should outlive the Seaway. If it does not, or if somebody clears it with all
+  ///        that is in it, nothing of it is touched any more; what it could still read is kept.
   /// @throws HydroError SolverNotSupported: btMLCPSolver treats a constraint whose two bodies are
   ///         one as two bodies and ignores its softness, so that M + A∞ would be wrong in contacts;
   ///         BadArgument: the world has a Seaway; ValueOutOfRange: frame.
   explicit Seaway(btDiscreteDynamicsWorld& world, SeaState sea = {}, const WorldFrame& frame = {});
-  /// Takes its ships out and leaves the world's callback as it was found.
+  /// Takes its ships out, and joints of others with the bodies that we made for them, and leaves
+  /// the world's callback as it was found. (A Seaway without ships cannot know that its world still
+  /// lives: then the callback goes through a few instructions of ours, that do nothing, for ever.)
   ~Seaway();
   Seaway(const Seaway&) = delete;
   Seaway& operator=(const Seaway&) = delete;
@@ -52,8 +55,9 @@ class Seaway final {
   /// mass distribution on the same waterline is withLoading(coefficients, …) of
   /// database/ChangeOfLoading.h.
   /// @throws HydroError ValueOutOfRange: a setting that is not finite or far outside what ships do
-  ///         (named, with its bounds), gravity not along −z or zero, mass or gyradii not positive,
-  ///         a wave outside the database; DatabaseIncomplete: no hull in it and no shape given;
+  ///         (named, with its bounds), gravity of the world or of the sea that is not the database's
+  ///         (or zero, in the world), mass or gyradii not positive, a wave outside the database;
+  ///         DatabaseIncomplete: no hull in it and no shape given;
   ///         BadArgument: a null pointer, an unknown part in `without`, a body that is a ship here
   ///         already. Nothing has changed then.
   Ship& addShip(std::shared_ptr<const Hydrodynamics> hydrodynamics,
@@ -68,7 +72,14 @@ class Seaway final {
   Ship& addShip(Coefficients coefficients, const ShipSettings& settings = {});
   Ship& addShip(Coefficients coefficients, btRigidBody& body, const ShipSettings& settings = {});
   /// Ends the hydrodynamics of a ship; a body we made leaves the world.
+  /// @throws HydroError BadArgument: it is no ship of this sea, or a joint of yours still holds the
+  ///         body that we made; remove that first. Nothing has changed then.
   void removeShip(Ship& ship);
+  /// The ship of a body, for example of one in a contact; null: it is none of this sea.
+  Ship* shipOf(const btCollisionObject& body) const noexcept;
+  /// Makes what depends on the tick's length [s], for the ships there are and those to come: before
+  /// the first tick, which then takes no longer than others.  @throws HydroError ValueOutOfRange.
+  void prepare(double step);
   const std::vector<std::unique_ptr<Ship>>& ships() const noexcept { return ships_; }
   /// How many threads evaluate the ships' loads; 1 unless set. The same bits for any number.
   void setThreads(unsigned threads);
@@ -122,7 +133,8 @@ class Seaway final {
   std::shared_ptr<const SeaState> sea_;
   WorldFrame frame_;
   double time_ = 0.0;
-  btScalar step_ = 0;  // of this tick
+  btScalar step_ = 0;         // of this tick
+  double preparedFor_ = 0.0;  // length of tick; 0: none
   std::uint32_t faults_ = kStepOk;
   std::vector<std::shared_ptr<const SeaTables>> tables_;
   std::vector<std::unique_ptr<Ship>> ships_;

@@ -1,6 +1,8 @@
 #include "plugin/Ship.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -9,8 +11,7 @@
 #include "hydro/Errors.h"
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/forces/SeaTables.h"
-#include "plugin/AddedMassConstraint.h"
-#include "plugin/CourseRestraint.h"
+#include "plugin/Rig.h"
 #include "plugin/ShipAxes.h"
 #include "plugin/ShipBody.h"
 #include "plugin/ShipPart.h"
@@ -19,21 +20,7 @@ CUTWATER_PLUGIN_BEGIN
 
 namespace {
 
-// Gravity as the solver will apply it, in its own order of operations and rounding.
-btVector3 gravityForce(const btRigidBody& body) {
-  return body.getGravity() * (btScalar(1) / body.getInvMass());
-}
-
-bool finite(const btVector3& v) {
-  return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
-}
-
-bool stateFinite(const btRigidBody& body) {
-  bool good = finite(body.getWorldTransform().getOrigin()) && finite(body.getLinearVelocity()) &&
-              finite(body.getAngularVelocity());
-  for (int i = 0; i < 3; ++i) good = good && finite(body.getWorldTransform().getBasis()[i]);
-  return good;
-}
+constexpr double kNever = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -42,70 +29,134 @@ Ship::Ship(btDiscreteDynamicsWorld& world, const WorldFrame& frame,
     : world_(world),
       frame_(frame),
       tables_(std::move(tables)),
+      rig_(std::make_unique<Rig>([](void* ship) { static_cast<Ship*>(ship)->bodyDeleted(); },
+                                 [](void* ship) { static_cast<Ship*>(ship)->motionStateDeleted(); },
+                                 this)),
+      ownBody_(own == nullptr),
+      restrained_(settings.model.restrained),
       course_(settings.model.mean == Mean::Filtered ? settings.model.followTime : 0.0),
       phasors_(tables_->sea().phasorBlocks()) {
-  if (own != nullptr) {
-    adoptBody(*own, settings);
+  const ShipStart& start = settings.start;
+  if (ownBody_) {
+    course_.reset(start.x, start.y, start.heading, start.speed);
+    createBody(settings.collision);
   } else {
-    createBody(settings);
+    adoptBody(*own);
+    const Vec3 at = position();
+    course_.reset(at.x(), at.y(), attitude()[2], start.speed);
   }
   makeParts(settings);
-  body_->setDamping(0, 0);
-  body_->setSleepingThresholds(0, 0);
-  body_->forceActivationState(DISABLE_DEACTIVATION);
-  addedMass_ = std::make_unique<AddedMassConstraint>(
-      *body_, frame_.mass(coefficients().addedMass.atInfinity));
+  rig_->addedMass.lent.make(*body_, frame_.mass(coefficients().addedMass.atInfinity));
   switchOff(settings.model.without);
-  const auto& held = settings.model.restrained;
+  findLimits();
+  if (std::find(restrained_.begin(), restrained_.end(), true) != restrained_.end())
+    rig_->restraint.lent.make(*body_, restrained_);
+  takeOver();
+  if (ownBody_) {
+    place(start);
+    world_.addRigidBody(body_);
+  } else {
+    startAgain();
+    remember();
+  }
+  world_.addConstraint(rig_->addedMass.lent.get());
+  if (rig_->restraint.lent) world_.addConstraint(rig_->restraint.lent.get());
+}
+
+Ship::~Ship() { leaveWorld(); }
+
+void Ship::createBody(const CollisionShape& collision) {
+  const ShipParticulars& ship = coefficients().ship;
+  btCollisionShape* given = collision.shape;
+  if (given == nullptr) hullShape_ = convexHull(ship, frame_);
+  if (given != nullptr && collision.inHullAxes) compound_ = aboutG(*given, ship, frame_);
+  rig_->motionState.make(poseAt(Vec6::Zero()));
+  rig_->body.make(bodyInfo(ship, frame_,
+                           compound_          ? *compound_
+                           : given != nullptr ? *given
+                                              : *hullShape_));
+  body_ = rig_->body.get();
+  body_->setMotionState(rig_->motionState.get());
+}
+
+void Ship::adoptBody(btRigidBody& own) {
+  requireBodyOf(coefficients().ship, frame_, own);
+  body_ = &own;
+}
+
+// What Bullet would do to the body and the ship does itself; it is given back in leaveWorld().
+void Ship::takeOver() {
+  flagsFound_ = body_->getFlags();
+  body_->setFlags((flagsFound_ | BT_DISABLE_WORLD_GRAVITY) &
+                  ~BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY);
+  body_->setGravity(btVector3(0, 0, 0));
+  body_->forceActivationState(DISABLE_DEACTIVATION);
+  inverseMass_ = body_->getInvMass();
+  inverseInertia_ = body_->getInvInertiaDiagLocal();
+  worldGravity_ = world_.getGravity();
+}
+
+// Speeds at which free motions grow, and the tick that the fastest of them can bear.
+void Ship::findLimits() {
   const auto grows = [&](const GrowthLimit& limit) {
-    constexpr double kNever = std::numeric_limits<double>::infinity();
-    return held.at(static_cast<std::size_t>(limit.mode)) ? kNever : limit.speed.value_or(kNever);
+    return restrained_.at(static_cast<std::size_t>(limit.mode)) ? kNever
+                                                                : limit.speed.value_or(kNever);
   };
   growsAhead_ = grows(hydrodynamics().stability().ahead);
   growsAstern_ = grows(hydrodynamics().stability().astern);
-  if (std::find(held.begin(), held.end(), true) != held.end())
-    restraint_ = std::make_unique<CourseRestraint>(*body_, held);
-  startAgain();
-  if (ownBody_) world_.addRigidBody(body_);
-  world_.addConstraint(addedMass_.get());
-  if (restraint_) world_.addConstraint(restraint_.get());
+  const Mat6& stiffness = coefficients().ship.restoring;
+  const Mat6& added = coefficients().addedMass.atInfinity;
+  const Mat6 inertia = coefficients().ship.massMatrix() + 0.5 * (added + added.transpose());
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Mat6> modes(
+      0.5 * (stiffness + stiffness.transpose()), inertia, Eigen::EigenvaluesOnly);
+  const double fastest = modes.eigenvalues()[5];
+  longestTick_ = fastest > 0.0 ? 1.0 / std::sqrt(fastest) : kNever;
 }
 
-Ship::~Ship() {
-  if (restraint_) world_.removeConstraint(restraint_.get());
-  world_.removeConstraint(addedMass_.get());
-  if (ownBody_) world_.removeRigidBody(body_);
-}
-
-void Ship::createBody(const ShipSettings& settings) {
-  const ShipParticulars& ship = coefficients().ship;
-  const ShipStart& start = settings.start;
-  btCollisionShape* given = settings.collision.shape;
-  if (given == nullptr) hullShape_ = convexHull(ship, frame_);
-  if (given != nullptr && settings.collision.inHullAxes) compound_ = aboutG(*given, ship, frame_);
-  ownBody_ = makeBody(ship, frame_, compound_ ? *compound_ : given ? *given : *hullShape_);
-  body_ = ownBody_.get();
+// As a new ship with this start. The body is ours, or one that has come to its place.
+void Ship::place(const ShipStart& start) noexcept {
   course_.reset(start.x, start.y, start.heading, start.speed);
-  body_->setCenterOfMassTransform(poseAt(start.offset));
+  const btTransform pose = poseAt(start.offset);
+  body_->setCenterOfMassTransform(pose);
   const Vec6 velocity = rotated(bodyAxes(), bodyAxes(), start.velocity);
   const Vec3 along = rotationZ(start.heading) * Vec3(start.speed, 0.0, 0.0);
-  body_->setLinearVelocity(frame_.length(Vec3(along + velocity.head<3>())));
-  body_->setAngularVelocity(frame_.direction(velocity.tail<3>()));
+  const btVector3 linear = frame_.length(Vec3(along + velocity.head<3>()));
+  const btVector3 angular = frame_.direction(velocity.tail<3>());
+  body_->setLinearVelocity(linear);
+  body_->setAngularVelocity(angular);
+  body_->setInterpolationWorldTransform(pose);
+  body_->setInterpolationLinearVelocity(linear);
+  body_->setInterpolationAngularVelocity(angular);
+  if (btMotionState* drawn = body_->getMotionState()) drawn->setWorldTransform(pose);
+  body_->clearForces();
+  body_->forceActivationState(DISABLE_DEACTIVATION);
+  record_.time = 0.0;
+  record_.position = record_.attitude = Vec3::Zero();
+  record_.velocity.setZero();
+  for (Vec6& load : record_.loads) load.setZero();
+  broken_ = kNone;
+  lockedYaw_ = {};
+  now_ = Now::Ticks;
+  forget();
+  remember();
 }
 
-void Ship::adoptBody(btRigidBody& own, const ShipSettings& settings) {
-  requireBodyOf(coefficients().ship, frame_, own);
-  body_ = &own;
-  const Vec3 at = position();
-  course_.reset(at.x(), at.y(), attitude()[2], settings.start.speed);
+// As if the ship had been as it is for ever.
+void Ship::forget() noexcept {
+  startAgain();
+  for (ShipPart& part : parts_) {
+    if (part.force) part.force->reset();
+  }
 }
 
 // v⁻ is the velocity as it is; a filtered course begins at it.
 void Ship::startAgain() noexcept {
   turnAddedMass(headingAxes());
-  addedMass_->forgetPast();
-  velocityBefore_ = velocityInEarth(body_->getLinearVelocity(), body_->getAngularVelocity());
+  rig_->addedMass.lent->forgetPast();
+  velocityAfter_ = velocityInEarth(body_->getLinearVelocity(), body_->getAngularVelocity());
+  velocityBefore_ = velocityAfter_;
   lastStep_ = stepBefore_ = 0.0;
+  input_.courseBegins = true;
   courseBeginsHere();
   headingAtSolve_ = course_.heading();
 }
@@ -116,7 +167,6 @@ void Ship::courseBeginsHere() noexcept {
   const double heading = attitude()[2];
   const double ahead = (rotationZ(-heading) * velocityBefore_.head<3>()).x();
   course_.reset(at.x(), at.y(), heading, ahead, velocityBefore_[Yaw]);
-  input_.courseBegins = true;
 }
 
 Mat3 Ship::toCourse() const noexcept { return rotationZ(-course_.heading()); }
@@ -127,8 +177,7 @@ Mat3 Ship::toCourse() const noexcept { return rotationZ(-course_.heading()); }
 void Ship::findMotion(TickInput& input, const Mat3& heading) const noexcept {
   const Mat3 course = toCourse(), toHeading = heading.transpose();
   const Vec3 mean(course_.x(), course_.y(), coefficients().ship.cog.z());
-  const Vec6 velocity =
-      velocityInEarth(addedMass_->linearVelocity(), addedMass_->angularVelocity());
+  const Vec6& velocity = velocityAfter_;
   Vec6 steady = Vec6::Zero();
   steady[Surge] = course_.speed();
   steady[Yaw] = course_.turnRate();
@@ -146,7 +195,7 @@ void Ship::findInput(double time, double step, const Mat3& heading) noexcept {
   now.lastStep = lastStep_ > 0.0 ? lastStep_ : step;
   now.position = position();
   now.attitude = bodyAxes();
-  now.weight = toCourse() * frame_.forceToEarth(gravityForce(*body_));
+  now.weight = coefficients().ship.mass * (toCourse() * frame_.lengthToEarth(world_.getGravity()));
   now.meanX = course_.x();
   now.meanY = course_.y();
   now.meanHeading = course_.heading();
@@ -162,6 +211,7 @@ void Ship::findInput(double time, double step, const Mat3& heading) noexcept {
   now.ramp = now.sea->ramp(time);
   now.sea->phasors(time, now.meanX, now.meanY, phasors_);
   now.phasors = phasors_;
+  elevation_ = now.ramp * now.sea->elevation(now.phasors);
 }
 
 void Ship::prepare(double step) {
@@ -245,77 +295,120 @@ Vec6 Ship::sumOfLoads() const noexcept {
   return water + added;
 }
 
-void Ship::undoWeight(btScalar step) noexcept {
-  const btVector3 change = gravityForce(*body_) * body_->getInvMass() * step;
-  if (finite(change)) body_->setLinearVelocity(body_->getLinearVelocity() - change);
-}
-
-// Impulses, not forces: Bullet keeps forces over all ticks of one stepSimulation. The part of the
-// restoring load that carries the weight undoes Bullet's gravity in the solver's own arithmetic.
-bool Ship::apply(btScalar step, const Mat3& heading) noexcept {
+// Impulses, not forces: Bullet keeps forces over all ticks of one stepSimulation.
+bool Ship::apply(double step, const Mat3& heading) noexcept {
   const Vec6 loads = sumOfLoads();
-  undoWeight(step);
-  if (!loads.allFinite()) return false;  // without loads, but carried
-  const Vec6 impulse =
-      static_cast<double>(step) * rotated(rotationZ(course_.heading()), heading, loads);
+  if (!loads.allFinite()) return false;
+  const Vec6 impulse = step * rotated(rotationZ(course_.heading()), heading, loads);
   body_->applyCentralImpulse(frame_.force(impulse.head<3>()));
   body_->applyTorqueImpulse(frame_.moment(impulse.tail<3>()));
   return true;
 }
 
-// The last solve went wrong and the user has mended the body since: its past is gone.
-bool Ship::recovered() noexcept {
-  if (finite(addedMass_->linearVelocity()) && finite(addedMass_->angularVelocity())) return false;
-  startAgain();
-  for (ShipPart& part : parts_) {
-    if (part.force) part.force->reset();
-  }
-  return true;
+// One Newton step of the backward Euler method for I ω̇ = −ω × Iω in body axes, as Bullet's own
+// implicit term, in double precision: Bullet's gives up where the product of the inertias is below
+// its epsilon in its own units.
+void Ship::turnByInertia(double step) noexcept {
+  const Vec3 inverse = fromBullet(body_->getInvInertiaDiagLocal());
+  if (!(inverse.minCoeff() > 0.0)) return;
+  const Mat3 axes = fromBullet(body_->getWorldTransform().getBasis());
+  const Vec3 spin = axes.transpose() * fromBullet(body_->getAngularVelocity());
+  const Vec3 inertia = inverse.cwiseInverse(), momentum = inertia.cwiseProduct(spin);
+  const auto cross = [](const Vec3& v) {
+    Mat3 m;
+    m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+    return m;
+  };
+  const Mat3 diagonal = inertia.asDiagonal();
+  const Mat3 slope = diagonal + step * (cross(spin) * diagonal - cross(momentum));
+  const Vec3 change = -slope.inverse() * (step * spin.cross(momentum));
+  if (!change.allFinite()) return;
+  body_->setAngularVelocity(body_->getAngularVelocity() +
+                            toBullet(Vec3(axes * change)) * body_->getAngularFactor());
+}
+
+// Bullet keeps the rate about a locked axis. Roll and pitch about axes that lie level turn the
+// heading none the less, by the area that they sweep, some degrees a minute in waves.
+void Ship::holdLockedYaw(double step) noexcept {
+  const int up = frame_.up == WorldFrame::Up::Z ? 2 : 1;
+  const bool locked = body_->getAngularFactor()[up] == 0;
+  btVector3 spin = body_->getAngularVelocity();
+  const auto rate = static_cast<double>(spin[up]);
+  if (locked && !lockedYaw_.on) lockedYaw_ = {true, record_.attitude.z(), rate, rate};
+  lockedYaw_.on = locked;
+  if (!locked) return;
+  if (rate != lockedYaw_.set) lockedYaw_.rate = rate;  // somebody set another
+  lockedYaw_.heading += lockedYaw_.rate * step;
+  const double turn = std::remainder(lockedYaw_.heading - record_.attitude.z(), 2.0 * kPi);
+  spin[up] = static_cast<btScalar>(turn / step);
+  lockedYaw_.set = static_cast<double>(spin[up]);
+  body_->setAngularVelocity(spin);
 }
 
 std::uint32_t Ship::beginTick(double time, btScalar step) noexcept {
+  const Now before = std::exchange(now_, Now::Paused);
   // Bullet would look up a simulation island for a constraint whose body has none.
-  const bool wasInWorld = addedMass_->isEnabled();
-  addedMass_->setEnabled(body_->isInWorld());
-  if (restraint_) restraint_->setEnabled(body_->isInWorld());
+  const auto enable = [this](bool on) {
+    if (rig_->addedMass.lent) rig_->addedMass.lent->setEnabled(on);
+    if (rig_->restraint.lent) rig_->restraint.lent->setEnabled(on);
+  };
+  enable(false);
   if (!body_->isInWorld()) return kBodyNotInWorld;
-  if (!wasInWorld) startAgain();
-  if (!(body_->getInvMass() > 0)) return kStepOk;  // held still by the user for now
-  if (!stateFinite(*body_)) return kStateNotFinite;
-  if (!(step > 0)) {
-    addedMass_->setEnabled(false);
-    undoWeight(step);
-    return kTickNotPositive;
+  std::uint32_t faults = kStepOk;
+  try {
+    faults = keepConstraints();
+  } catch (...) {  // no memory for a new one
+    return kConstraintRemoved;
   }
-  std::uint32_t faults = matchTick(static_cast<double>(step));
-  if (recovered()) faults |= kStateNotFinite;
-  body_->setDamping(0, 0);
-  body_->forceActivationState(DISABLE_DEACTIVATION);
+  faults |= mendState() | lookForChanges();
+  const int activation = body_->getActivationState();
+  if (activation == ISLAND_SLEEPING || activation == DISABLE_SIMULATION) {
+    now_ = Now::Asleep;
+    return faults;
+  }
+  if (activation != DISABLE_DEACTIVATION) body_->forceActivationState(DISABLE_DEACTIVATION);
+  faults |= lookForMoves();
+  if (before == Now::Asleep) forget();
+  if (before == Now::Paused) startAgain();
+  if (!(step > 0)) return faults | kTickNotPositive;
+  enable(true);
+  now_ = Now::Ticks;
+  if (body_->getInvMass() > 0) faults |= tick(time, step);  // else held still by the user for now
+  return faults;
+}
+
+std::uint32_t Ship::tick(double time, btScalar step) noexcept {
+  const double length = static_cast<double>(step);
+  std::uint32_t faults = matchTick(length);
+  if (length > longestTick_) faults |= kTickTooLong;
   record_.time = time;
   record_.position = position();
   record_.attitude = attitude();
   const Mat3 heading = rotationZ(record_.attitude.z());
-  findInput(time, static_cast<double>(step), heading);
+  findInput(time, length, heading);
   record_.velocity = input_.velocityNow;
-  if (input_.speed >= growsAhead_ || -input_.speed >= growsAstern_) faults |= kSpeedOutsideTheory;
+  faults |= outsideTheory();
   faults |= evaluate(heading);
-  if (!apply(step, heading)) faults |= kLoadNotFinite;
+  if (!apply(std::min(length, longestTick_), heading)) faults |= kLoadNotFinite;
+  turnByInertia(length);
+  holdLockedYaw(length);
   turnAddedMass(heading);
+  AddedMassConstraint& addedMass = *rig_->addedMass.lent;
   const Vec3 mean = rotationZ(headingAtSolve_) * Vec3(input_.speed, 0.0, 0.0);
-  addedMass_->setMean(frame_.length(mean), input_.meanHeading - headingAtSolve_, frame_.upwards());
-  addedMass_->beginTick(step);
-  aimRestraint(heading, static_cast<double>(step));
+  addedMass.setMean(frame_.length(mean), input_.meanHeading - headingAtSolve_, frame_.upwards());
+  addedMass.beginTick(step);
+  aimRestraint(heading, length);
   return faults;
 }
 
 // A∞ follows the ship's heading, not its heel: it belongs to the upright axes of linear theory, as
 // K and C do; turned with a hull that rolls, heave would excite sway at second order.
 void Ship::turnAddedMass(const Mat3& heading) noexcept {
-  addedMass_->follow(frame_.rotation(heading));
+  rig_->addedMass.lent->follow(frame_.rotation(heading));
 }
 
 void Ship::aimRestraint(const Mat3& heading, double step) noexcept {
-  if (!restraint_) return;
+  if (!rig_->restraint.lent) return;
   const MeanCourse::Place next = course_.ahead(step);
   const Mat3 course = rotationZ(input_.meanHeading);
   const Vec3 way = course.transpose() *
@@ -328,26 +421,33 @@ void Ship::aimRestraint(const Mat3& heading, double step) noexcept {
     wanted[i] = static_cast<btScalar>(way[static_cast<int>(i)]);
     wanted[3 + i] = static_cast<btScalar>(swing[static_cast<int>(i)]);
   }
-  restraint_->aim(toBulletBasis(frame_.axes() * course), toBulletBasis(frame_.axes() * heading),
-                  wanted);
+  rig_->restraint.lent->aim(toBulletBasis(frame_.axes() * course),
+                            toBulletBasis(frame_.axes() * heading), wanted);
 }
 
-void Ship::endTick(btScalar step) noexcept {
-  if (!addedMass_->isEnabled()) return;
-  velocityBefore_ = velocityInEarth(addedMass_->linearVelocity(), addedMass_->angularVelocity());
-  addedMass_->endTick();
+std::uint32_t Ship::endTick(btScalar step) noexcept {
+  if (now_ != Now::Ticks) return kStepOk;
+  AddedMassConstraint& addedMass = *rig_->addedMass.lent;
+  addedMass.endTick();
+  const std::uint32_t faults = mendState();
+  if ((faults & kStateNotFinite) != 0)
+    addedMass.setPast(known_.linear, known_.angular, addedMass.pastAxes());
+  velocityBefore_ = velocityAfter_;
+  velocityAfter_ = velocityInEarth(addedMass.linearVelocity(), addedMass.angularVelocity());
   Vec6 force;
-  force << frame_.forceToEarth(toBullet(addedMass_->force())),
-      frame_.momentToEarth(toBullet(addedMass_->moment()));
+  force << frame_.forceToEarth(toBullet(addedMass.force())),
+      frame_.momentToEarth(toBullet(addedMass.moment()));
+  if (!force.allFinite()) force.setZero();
   const double heading = attitude().z();
   record_.loads[addedMassPart_] = rotated(toCourse(), rotationZ(-heading), force);
   headingAtSolve_ = course_.heading();
   stepBefore_ = lastStep_;
   lastStep_ = static_cast<double>(step);
   const Vec3 at = position();
-  const Vec6 velocity =
-      velocityInEarth(addedMass_->linearVelocity(), addedMass_->angularVelocity());
-  course_.advance(lastStep_, {at.x(), at.y(), heading, velocity[0], velocity[1], velocity[Yaw]});
+  course_.advance(lastStep_, {at.x(), at.y(), heading, velocityAfter_[0], velocityAfter_[1],
+                              velocityAfter_[Yaw]});
+  remember();
+  return faults;
 }
 
 CUTWATER_PLUGIN_END

@@ -22,7 +22,7 @@ struct CourseForces;
 CUTWATER_PLUGIN_BEGIN
 
 class AddedMassConstraint;
-class CourseRestraint;
+struct Rig;       // what of a ship stands in the world
 struct ShipPart;  // of the load, with what the ship knows about it
 
 /// What Bullet's contacts work on; hydrodynamics does not look at it.
@@ -68,7 +68,7 @@ Vec3 eulerAngles(const Mat3& rotation) noexcept;
 ///     ship.addForce(std::make_unique<Wind>(20.0));       // a load of your own (ForceGenerator.h)
 ///
 /// The load is a list of parts:
-///     gravity         Bullet's, on this body
+///     gravity         the weight: the world's gravity, which the ship takes over from Bullet
 ///     restoring       calm water: what balances gravity at rest, − C η
 ///     froude_krylov   the undisturbed waves
 ///     diffraction     the waves that the hull throws back
@@ -83,24 +83,35 @@ Vec3 eulerAngles(const Mat3& rotation) noexcept;
 /// of its yaw), and velocities are taken alike, so that power is force times velocity. To first
 /// order that is H throughout. Moments in H would set a ship's small roll inertia against its large
 /// yaw inertia: at 3° of yaw their product exceeds roll's own; in body axes a heeled ship's pitch
-/// moment would turn it. Rotations of more than some 20 degrees are outside the linear theory;
-/// loads stay finite.
+/// moment would turn it. Tilted beyond kLargestTilt a ship is outside the linear theory; loads stay
+/// bounded, and a fault bit says so.
+///
+/// What Bullet offers for its bodies holds for a ship: linear and angular factors, sleep, damping,
+/// setMassProps(0) to hold it still. A factor of 0 about the vertical holds the heading (or its
+/// rate), where Bullet's own would let roll and pitch turn it bit by bit. Bullet's weight is off the body (getGravity() is 0 and
+/// BT_DISABLE_WORLD_GRAVITY is set), as the water carries it; the ship reads the world's gravity
+/// each tick. Bullet's gyroscopic term is off, too: the ship applies its own, as Bullet's vanishes
+/// for small inertias in single precision.
 ///
 /// Not in this theory: calm-water resistance, mean drift in waves, steady sinkage and trim, waves
 /// from one ship to another.
 class Ship {
  public:
-  /// Internal: use Seaway::addShip. World and `own` (null: a body is made) must outlive the ship.
+  /// Tilt from upright [rad] beyond which kAttitudeOutsideTheory is raised.
+  static constexpr double kLargestTilt = kPi / 6.0;
+
+  /// Internal: use Seaway::addShip. `own` (null: a body is made) must outlive the ship.
   Ship(btDiscreteDynamicsWorld& world, const WorldFrame& frame,
        std::shared_ptr<const SeaTables> tables, const ShipSettings& settings, btRigidBody* own);
   ~Ship();
   Ship(const Ship&) = delete;
   Ship& operator=(const Ship&) = delete;
 
-  /// Bullet's body: apply forces and impulses, add joints, read contacts as with any other.
+  /// Bullet's body: apply forces and impulses, add joints, read contacts as with any other. If it
+  /// was deleted by somebody else, one that is in no world.
   btRigidBody& body() noexcept { return *body_; }
   const btRigidBody& body() const noexcept { return *body_; }
-  const AddedMassConstraint& addedMass() const noexcept { return *addedMass_; }
+  const AddedMassConstraint& addedMass() const noexcept;
   const Hydrodynamics& hydrodynamics() const noexcept;
   const Coefficients& coefficients() const noexcept;
   double length() const noexcept;  ///< of the hull [m]
@@ -122,8 +133,12 @@ class Ship {
   /// Water above the keel [m], waves included, at a distance x [m] before the hull file's origin;
   /// negative where the keel is out of the water.
   double draught(double time, double x = 0.0) const noexcept;
+  /// Distance [m] between G and its mean place, where the waves are taken.
+  double offCourse() const noexcept;
   /// Pose of the hull file's axes (x forward, y port, z up) in the world, in Bullet's axes and
-  /// units.
+  /// units: for drawing. It is what Bullet gives to motion states, interpolated to the moment that
+  /// stepSimulation() was asked for, up to a tick behind position(). The body has a motion state,
+  /// its own or yours; without one it is the pose of the last tick.
   btTransform hullTransform() const noexcept;
 
   // The load and its parts.
@@ -165,9 +180,13 @@ class Ship {
   /// which M + A∞ resists; this is not. The memory of radiated waves stays; a filtered course takes
   /// the new velocity at once.
   void resetVelocity(const Vec3& linear, const Vec3& angular) noexcept;
-  /// Puts the ship elsewhere, mean course and all, in calm water: `offset` as in ShipStart. All
-  /// parts forget their past; orders to autopilots stay.
+  /// Begins anew, in microseconds: from here on the ship has the same bits as a new one with this
+  /// start in the sea of this moment. Orders to autopilots, parts and what is switched off stay.
+  /// Contacts are Bullet's (Seaway::forgetContacts). Allocates nothing but for a fixed course on a
+  /// heading or at a speed that no ship has had in this sea.
   /// @throws HydroError as SeaTables::exact, or ValueOutOfRange; nothing has changed then.
+  void reset(const ShipStart& start);
+  /// reset() with some of its fields.
   void placeAt(double x, double y, double heading, const Vec6& offset = Vec6::Zero(),
                double speed = 0.0);
 
@@ -182,6 +201,9 @@ class Ship {
     Vec6 before;
     double lastStep = 0.0, stepBefore = 0.0, headingAtSolve = 0.0;
     bool courseBegins = false;
+    int activation = 0;  // Bullet's activation state of the body
+    int now = 0;         // ticking, paused, asleep
+    std::array<double, 4> lockedYaw{};
     TickRecord record;
     std::array<double, MeanCourse::kStateSize> course;
     std::uint64_t partsKey = 0;      // of the names of the parts
@@ -202,13 +224,27 @@ class Ship {
   /// One evaluation of all loads at t_n and their impulses; StepFault bits. Touches nothing but
   /// this ship and its body. Seaway calls these.
   std::uint32_t beginTick(double time, btScalar step) noexcept;
-  void endTick(btScalar step) noexcept;
+  std::uint32_t endTick(btScalar step) noexcept;
+  /// Of somebody else's constraint that holds our own body; null: none. Seaway asks it.
+  btTypedConstraint* foreignConstraint() const noexcept;
+  /// Whether the body stands in its world, which therefore lives.
+  bool inWorld() const noexcept { return body_->isInWorld(); }
+  /// Before its end: the world is known to live.
+  void worldLives() noexcept { worldLives_ = true; }
 
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-  void createBody(const ShipSettings& settings);
-  void adoptBody(btRigidBody& own, const ShipSettings& settings);
+  /// The body as Bullet left it, or as this ship set it: where it is put back to, and by what is
+  /// seen that somebody else has moved it.
+  struct Known {
+    btTransform pose;
+    btVector3 linear, angular;
+  };
+
+  void createBody(const CollisionShape& collision);
+  void adoptBody(btRigidBody& own);
+  void takeOver();
   void makeParts(const ShipSettings& settings);
   void addPart(ShipPart part);
   void switchOff(const std::vector<std::string>& parts);
@@ -217,6 +253,7 @@ class Ship {
   void restoreParts(const Snapshot& snapshot);
   void partsChanged();
   std::size_t indexOf(std::string_view part) const;
+  void findLimits();
 
   btTransform poseAt(const Vec6& offset) const noexcept;
   Mat3 bodyAxes() const noexcept;
@@ -230,23 +267,39 @@ class Ship {
   Wrench evaluatePart(ShipPart& part) noexcept;
   Vec6 inCourseAxes(const Wrench& wrench, const Mat3& heading) const noexcept;
   Vec6 sumOfLoads() const noexcept;
-  void undoWeight(btScalar step) noexcept;
-  bool apply(btScalar step, const Mat3& heading) noexcept;
+  bool apply(double step, const Mat3& heading) noexcept;
+  void turnByInertia(double step) noexcept;
+  void holdLockedYaw(double step) noexcept;
+  std::uint32_t tick(double time, btScalar step) noexcept;
   std::uint32_t matchTick(double step) noexcept;
-  bool recovered() noexcept;
+  void place(const ShipStart& start) noexcept;
+  void forget() noexcept;
   void startAgain() noexcept;
   void turnAddedMass(const Mat3& heading) noexcept;
   void aimRestraint(const Mat3& heading, double step) noexcept;
+
+  // What others did to the body (ShipGuard.cpp).
+  void leaveWorld();
+  void bodyDeleted();
+  void motionStateDeleted() noexcept;
+  std::uint32_t keepConstraints();
+  std::uint32_t mendState() noexcept;
+  std::uint32_t lookForChanges() noexcept;
+  std::uint32_t lookForMoves() noexcept;
+  std::uint32_t outsideTheory() const noexcept;
+  void remember() noexcept;
 
   btDiscreteDynamicsWorld& world_;
   WorldFrame frame_;
   std::shared_ptr<const SeaTables> tables_;
   std::shared_ptr<const CourseForces> onCourse_;  // keeps them made while the course is fixed
   std::unique_ptr<btCollisionShape> hullShape_, compound_;
-  std::unique_ptr<btRigidBody> ownBody_;
+  std::unique_ptr<Rig> rig_;
   btRigidBody* body_ = nullptr;
-  std::unique_ptr<AddedMassConstraint> addedMass_;
-  std::unique_ptr<CourseRestraint> restraint_;
+  bool ownBody_ = true;  // made by us
+  bool worldLives_ = false;
+  int flagsFound_ = 0;  // of the user's body
+  std::array<bool, 6> restrained_{};
   MeanCourse course_;
   double headingAtSolve_ = 0.0;  // ψ̄ of the last solve
 
@@ -258,11 +311,27 @@ class Ship {
   bool measuring_ = false;
   double growsAhead_ = 0.0,
          growsAstern_ = 0.0;    // speeds at which the ship's motions grow [m/s]; ∞: none
+  double longestTick_ = 0.0;    // [s] for which loads are right, from the fastest own motion
   std::size_t broken_ = kNone;  // index of the first part whose load was not finite
+
+  /// A yaw that the body's angular factor locks: heading [rad] and its rate [rad/s] as they were,
+  /// and the angular velocity about the vertical that was set last.
+  struct LockedYaw {
+    bool on = false;
+    double heading = 0.0, rate = 0.0, set = 0.0;
+  };
+  LockedYaw lockedYaw_;
+  enum class Now { Ticks, Paused, Asleep };
+  Now now_ = Now::Ticks;
+  Known known_;
+  btScalar inverseMass_ = 0;  // as the database has it
+  btVector3 inverseInertia_, worldGravity_;
 
   TickInput input_;  // of the tick under way
   std::vector<Phasors4> phasors_;
-  Vec6 velocityBefore_ = Vec6::Zero();        // v after the tick before the last one, in E
+  double elevation_ = 0.0;                    // of the sea at the mean place [m]
+  Vec6 velocityAfter_ = Vec6::Zero();         // v⁻ of the last solve, in E
+  Vec6 velocityBefore_ = Vec6::Zero();        // the same a tick before
   double lastStep_ = 0.0, stepBefore_ = 0.0;  // of the last tick, and of the one before
   TickRecord record_;
 };

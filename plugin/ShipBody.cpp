@@ -79,14 +79,14 @@ std::unique_ptr<btCollisionShape> aboutG(btCollisionShape& shape, const ShipPart
   return compound;
 }
 
-std::unique_ptr<btRigidBody> makeBody(const ShipParticulars& ship, const WorldFrame& frame,
-                                      btCollisionShape& shape) {
+btRigidBody::btRigidBodyConstructionInfo bodyInfo(const ShipParticulars& ship,
+                                                  const WorldFrame& frame,
+                                                  btCollisionShape& shape) {
   requirePositive(ship.mass, "mass");
   for (int i = 0; i < 3; ++i) requirePositive(ship.gyradii[i], "a gyradius");
   const Vec3 inertia = ship.mass * ship.gyradii.cwiseProduct(ship.gyradii);
-  return std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(
-      static_cast<btScalar>(ship.mass / frame.kilogramsPerUnit), nullptr, &shape,
-      frame.inertia(inertia)));
+  return {static_cast<btScalar>(ship.mass / frame.kilogramsPerUnit), nullptr, &shape,
+          frame.inertia(inertia)};
 }
 
 void requireBodyOf(const ShipParticulars& ship, const WorldFrame& frame, const btRigidBody& body) {

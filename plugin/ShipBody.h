@@ -18,10 +18,10 @@ std::unique_ptr<btCollisionShape> convexHull(const ShipParticulars& ship, const 
 std::unique_ptr<btCollisionShape> aboutG(btCollisionShape& shape, const ShipParticulars& ship,
                                          const WorldFrame& frame);
 
-/// Mass m, principal inertias m·gyradii² about G, no motion state; not yet in a world.
+/// To make its body from: mass m, principal inertias m·gyradii² about G, no motion state.
 /// @throws HydroError ValueOutOfRange: mass or a gyradius not positive.
-std::unique_ptr<btRigidBody> makeBody(const ShipParticulars& ship, const WorldFrame& frame,
-                                      btCollisionShape& shape);
+btRigidBody::btRigidBodyConstructionInfo bodyInfo(const ShipParticulars& ship,
+                                                  const WorldFrame& frame, btCollisionShape& shape);
 
 /// The coefficients belong to one mass distribution; another would float and roll differently.
 /// @throws HydroError ValueOutOfRange: mass not within 0.1 %; BadArgument: not in a world.

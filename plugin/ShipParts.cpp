@@ -12,7 +12,7 @@
 #include "hydro/forces/linear/Restoring.h"
 #include "hydro/forces/linear/SupplementaryForce.h"
 #include "hydro/forces/linear/WaveForce.h"
-#include "plugin/AddedMassConstraint.h"
+#include "plugin/Rig.h"
 #include "plugin/SettingsCheck.h"
 #include "plugin/Ship.h"
 #include "plugin/ShipPart.h"
@@ -137,13 +137,13 @@ std::unique_ptr<ForceGenerator> Ship::removeForce(std::string_view part) {
 
 void Ship::setEnabled(std::string_view name, bool on) {
   const std::size_t i = indexOf(name);
-  if (i == gravityPart_) refuse("gravity is Bullet's own part; set the world's");
+  if (i == gravityPart_) refuse("gravity is the world's; set it there");
   ShipPart& part = parts_[i];
   if (part.on == on) return;
   part.on = on;
   record_.loads[i].setZero();
   if (on && part.force) part.force->reset();
-  if (i == addedMassPart_) addedMass_->setActive(on);
+  if (i == addedMassPart_) rig_->addedMass.lent->setActive(on);
   partsChanged();
 }
 

@@ -5,7 +5,7 @@
 #include "hydro/Errors.h"
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/forces/SeaTables.h"
-#include "plugin/AddedMassConstraint.h"
+#include "plugin/Rig.h"
 #include "plugin/SettingsCheck.h"
 #include "plugin/Ship.h"
 #include "plugin/ShipAxes.h"
@@ -83,7 +83,7 @@ double Ship::energy() const noexcept {
 }
 
 PointMotion Ship::pointMotion(const Vec3& point) const noexcept {
-  const Vec6 now = velocityInEarth(addedMass_->linearVelocity(), addedMass_->angularVelocity());
+  const Vec6& now = velocityAfter_;
   // From the middle of one tick to the middle of the next.
   const double between = stepBefore_ > 0.0 ? 0.5 * (lastStep_ + stepBefore_) : lastStep_;
   const Vec6 rate = between > 0.0 ? Vec6((now - velocityBefore_) / between) : Vec6(Vec6::Zero());
@@ -94,6 +94,13 @@ PointMotion Ship::pointMotion(const Vec3& point) const noexcept {
           linear + angular.cross(arm) + spin.cross(spin.cross(arm))};
 }
 
+double Ship::offCourse() const noexcept {
+  const Vec3 at = position();
+  return std::hypot(at.x() - course_.x(), at.y() - course_.y());
+}
+
+const AddedMassConstraint& Ship::addedMass() const noexcept { return *rig_->addedMass.lent; }
+
 double Ship::draught(double time, double x) const noexcept {
   const Vec3 keel =
       position() + bodyAxes() * (Vec3(x, 0.0, hydrodynamics().keel()) - coefficients().ship.cog);
@@ -101,7 +108,8 @@ double Ship::draught(double time, double x) const noexcept {
 }
 
 btTransform Ship::hullTransform() const noexcept {
-  const btTransform& pose = body_->getWorldTransform();
+  btTransform pose = body_->getWorldTransform();
+  if (const btMotionState* drawn = body_->getMotionState()) drawn->getWorldTransform(pose);
   const btVector3 origin = pose * frame_.length(-coefficients().ship.cog);
   return btTransform(pose.getBasis() * toBulletBasis(frame_.axes()), origin);
 }
@@ -117,19 +125,17 @@ void Ship::resetVelocity(const Vec3& linear, const Vec3& angular) noexcept {
   body_->setLinearVelocity(frame_.length(linear));
   body_->setAngularVelocity(frame_.direction(angular));
   startAgain();
+  remember();
+}
+
+void Ship::reset(const ShipStart& start) {
+  checkStart(start, "Ship::reset");
+  if (!course_.follows()) onCourse_ = tables_->exact(start.heading, start.speed);  // what throws
+  place(start);
 }
 
 void Ship::placeAt(double x, double y, double heading, const Vec6& offset, double speed) {
-  checkStart({.x = x, .y = y, .heading = heading, .speed = speed, .offset = offset},
-             "Ship::placeAt");
-  if (!course_.follows()) onCourse_ = tables_->exact(heading, speed);  // what throws, first
-  course_.reset(x, y, heading, speed);
-  input_.courseBegins = true;
-  body_->setCenterOfMassTransform(poseAt(offset));
-  resetVelocity(rotationZ(heading) * Vec3(speed, 0.0, 0.0), Vec3::Zero());
-  for (ShipPart& part : parts_) {
-    if (part.force) part.force->reset();
-  }
+  reset({.x = x, .y = y, .heading = heading, .speed = speed, .offset = offset});
 }
 
 Ship::Snapshot Ship::save() const {
@@ -144,13 +150,16 @@ void Ship::save(Snapshot& s) const {
   s.velocities = {body_->getLinearVelocity(), body_->getAngularVelocity(),
                   body_->getInterpolationLinearVelocity(),
                   body_->getInterpolationAngularVelocity()};
-  s.past = {addedMass_->linearVelocity(), addedMass_->angularVelocity()};
-  s.pastAxes = addedMass_->pastAxes();
+  s.past = {addedMass().linearVelocity(), addedMass().angularVelocity()};
+  s.pastAxes = addedMass().pastAxes();
   s.before = velocityBefore_;
   s.lastStep = lastStep_;
   s.stepBefore = stepBefore_;
   s.headingAtSolve = headingAtSolve_;
   s.courseBegins = input_.courseBegins;
+  s.activation = body_->getActivationState();
+  s.now = static_cast<int>(now_);
+  s.lockedYaw = {lockedYaw_.on ? 1.0 : 0.0, lockedYaw_.heading, lockedYaw_.rate, lockedYaw_.set};
   s.record = record_;
   course_.save(s.course);
   saveParts(s);
@@ -201,7 +210,7 @@ void Ship::restoreParts(const Snapshot& s) {
     const bool on = s.enabled[i] != 0;
     changed = changed || part.on != on;
     part.on = on;
-    if (i == addedMassPart_) addedMass_->setActive(on);
+    if (i == addedMassPart_) rig_->addedMass.lent->setActive(on);
     if (!part.force) continue;
     if (s.sizes[i] > 0) {
       part.force->restore({from, s.sizes[i]});
@@ -223,13 +232,18 @@ void Ship::restore(const Snapshot& s) {
   body_->setAngularVelocity(s.velocities[1]);
   body_->setInterpolationLinearVelocity(s.velocities[2]);
   body_->setInterpolationAngularVelocity(s.velocities[3]);
-  addedMass_->setPast(s.past[0], s.past[1], s.pastAxes);
+  body_->forceActivationState(s.activation);
+  rig_->addedMass.lent->setPast(s.past[0], s.past[1], s.pastAxes);
+  velocityAfter_ = velocityInEarth(s.past[0], s.past[1]);
   velocityBefore_ = s.before;
   lastStep_ = s.lastStep;
   stepBefore_ = s.stepBefore;
   headingAtSolve_ = s.headingAtSolve;
   input_.courseBegins = s.courseBegins;
+  now_ = static_cast<Now>(s.now);
+  lockedYaw_ = {s.lockedYaw[0] != 0.0, s.lockedYaw[1], s.lockedYaw[2], s.lockedYaw[3]};
   record_ = s.record;
+  remember();
 }
 
 CUTWATER_PLUGIN_END

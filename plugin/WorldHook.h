@@ -20,25 +20,28 @@ class TickListener {
 /// Our place in a world's tick. Bullet has one pre-tick slot and no getter for it; the callback
 /// found there is kept, called first, and put back at the end; worldUserInfo is never touched. The
 /// end of the tick is a btActionInterface, of which a world takes any number. One per world (a
-/// second one throws HydroError BadArgument). Must end before the world does.
-class WorldHook final : public btActionInterface {
+/// second one throws HydroError BadArgument).
+///
+/// What stands in the world's lists is never freed, so that a hook may end after its world. It does
+/// not touch a world unless it is told that it still lives.
+class WorldHook final {
  public:
   WorldHook(btDiscreteDynamicsWorld& world, TickListener& listener);
-  ~WorldHook() override;
+  ~WorldHook();
   WorldHook(const WorldHook&) = delete;
   WorldHook& operator=(const WorldHook&) = delete;
 
-  void updateAction(btCollisionWorld*, btScalar step) override;
-  void debugDraw(btIDebugDraw* drawer) override {
-    if (drawer != nullptr) listener_.draw(*drawer);
-  }
+  /// Before the end: the world is there, and is to be left as it was found. Otherwise what is left
+  /// in it does nothing but call the user's callback.
+  void worldLives() noexcept { worldLives_ = true; }
 
  private:
-  static void preTick(btDynamicsWorld* world, btScalar step);
+  struct Entry;  // a world's
 
   btDiscreteDynamicsWorld& world_;
   TickListener& listener_;
-  btInternalTickCallback user_ = nullptr;
+  Entry* entry_ = nullptr;
+  bool worldLives_ = false;
 };
 
 CUTWATER_PLUGIN_END

@@ -31,7 +31,8 @@ Hydrodynamics::Hydrodynamics(std::shared_ptr<const Coefficients> coefficients,
     : coefficients_(std::move(coefficients)),
       form_(form.value_or(usableForm(checked(coefficients_)))),
       length_(coefficients_->ship.lengthOverall()),
-      keel_(std::min(0.0, boundsOf(coefficients_->ship).low.z())) {}
+      keel_(std::min(0.0, boundsOf(coefficients_->ship).low.z())),
+      top_(std::max(0.0, boundsOf(coefficients_->ship).high.z())) {}
 
 Hydrodynamics::~Hydrodynamics() = default;
 

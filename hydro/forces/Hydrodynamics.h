@@ -32,6 +32,7 @@ class Hydrodynamics {
   ForwardSpeedForm form() const noexcept { return form_; }
   double length() const noexcept { return length_; }  ///< of the hull, or of its panels [m]
   double keel() const noexcept { return keel_; }      ///< lowest point, hull axes [m]
+  double top() const noexcept { return top_; }  ///< highest, 0 of a hull known below water only
 
   /// Internal: retardation functions and their fit, made once.
   /// @throws HydroError as RadiationModel.
@@ -43,7 +44,7 @@ class Hydrodynamics {
  private:
   std::shared_ptr<const Coefficients> coefficients_;
   ForwardSpeedForm form_;
-  double length_, keel_;
+  double length_, keel_, top_;
   mutable std::mutex mutex_;
   mutable std::shared_ptr<const RadiationModel> radiation_;
   mutable std::optional<SpeedStability> stability_;

@@ -71,6 +71,15 @@ double SeaState::elevation(double t, double x, double y) const noexcept {
   return ramp(t) * sumOfWaves(blocks_, t, x, y);
 }
 
+double SeaState::elevation(std::span<const Phasors4> phasors) const noexcept {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < std::min(blocks_.size(), phasors.size()); ++i) {
+    for (std::size_t lane = 0; lane < 4; ++lane)
+      sum += blocks_[i].amplitude[lane] * phasors[i].re[lane];
+  }
+  return sum;
+}
+
 CUTWATER_VECTOR void SeaState::phasorsOf(std::span<const Block> blocks, double t, double x,
                                          double y, Phasors4* out) noexcept {
   for (const Block& block : blocks) {

@@ -50,6 +50,8 @@ class SeaState {
   /// Phasors of all components at time t and x, y, in their order. No allocation; O(components).
   /// @pre out.size() == phasorBlocks().
   void phasors(double t, double x, double y, std::span<Phasors4> out) const noexcept;
+  /// ζ [m] of such phasors, but for the ramp.
+  double elevation(std::span<const Phasors4> phasors) const noexcept;
   /// Velocity of the water [m/s] in E at x, y and z ≤ 0 (above calm water: that at z = 0); the
   /// linear theory of deep water. No allocation; O(components).
   Vec3 velocity(double t, const Vec3& place) const noexcept;

@@ -42,7 +42,8 @@ TEST(ShipBody, MassAndInertiaAreThoseOfTheLoadingInTheWorldsUnits) {
   const ShipParticulars ship = ellipsoid();
   btSphereShape shape(1);
   const WorldFrame tonnesYUp{.up = WorldFrame::Up::Y, .kilogramsPerUnit = 1000.0};
-  const auto body = makeBody(ship, tonnesYUp, shape);
+  const btRigidBody made(bodyInfo(ship, tonnesYUp, shape));
+  const btRigidBody* body = &made;
   EXPECT_NEAR(1.0 / static_cast<double>(body->getInvMass()), 2000.0, 1e-3);
   // World y is up: yaw's inertia is about y, pitch's about z.
   const btVector3 inverse = body->getInvInertiaDiagLocal();
@@ -65,10 +66,10 @@ TEST(ShipBody, ShipsWithoutMassGyradiusOrHullAreRefused) {
   btSphereShape shape(1);
   ShipParticulars ship = ellipsoid();
   ship.mass = 0.0;
-  EXPECT_THROW(makeBody(ship, WorldFrame{}, shape), HydroError);
+  EXPECT_THROW(bodyInfo(ship, WorldFrame{}, shape), HydroError);
   ship = ellipsoid();
   ship.gyradii[1] = -1.0;
-  EXPECT_THROW(makeBody(ship, WorldFrame{}, shape), HydroError);
+  EXPECT_THROW(bodyInfo(ship, WorldFrame{}, shape), HydroError);
   ship.hull = {};
   EXPECT_THROW(convexHull(ship, WorldFrame{}), HydroError);
 }
