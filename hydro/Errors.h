@@ -62,8 +62,8 @@ enum StepFault : std::uint32_t {
   kBodyNotInWorld = 1u << 3,      ///< the ship's body was taken out of the world by somebody else
   kSolverNotSupported = 1u << 4,  ///< the world's solver cannot carry added mass (btMLCPSolver)
   kCallbackReplaced = 1u << 5,    ///< somebody replaced the pre-tick callback: a tick without loads
-  /// The ship makes a speed at which its own motions grow (Hydrodynamics::stability): outside the
-  /// theory, and all loads are applied.
+  /// The ship makes a speed at which its own motions grow (Hydrodynamics::stability), or one faster
+  /// than was looked at (Hydrodynamics::fastest): all loads are applied.
   kSpeedOutsideTheory = 1u << 6,
   kTickNotPositive = 1u << 7,  ///< a tick of no length or less: it passed without loads and weight
   /// A tick too long for the ship's own motions: its loads acted for as long as they can be right.

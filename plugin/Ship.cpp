@@ -99,8 +99,8 @@ void Ship::takeOver() {
 // Speeds at which free motions grow, and the tick that the fastest of them can bear.
 void Ship::findLimits() {
   const auto grows = [&](const GrowthLimit& limit) {
-    return restrained_.at(static_cast<std::size_t>(limit.mode)) ? kNever
-                                                                : limit.speed.value_or(kNever);
+    const bool held = restrained_.at(static_cast<std::size_t>(limit.mode));
+    return std::min(held ? kNever : limit.speed.value_or(kNever), hydrodynamics().fastest());
   };
   growsAhead_ = grows(hydrodynamics().stability().ahead);
   growsAstern_ = grows(hydrodynamics().stability().astern);
@@ -164,7 +164,7 @@ void Ship::startAgain() noexcept {
 void Ship::courseBeginsHere() noexcept {
   if (!course_.follows()) return;
   const Vec3 at = position();
-  const double heading = attitude()[2];
+  const double heading = this->heading();
   const double ahead = (rotationZ(-heading) * velocityBefore_.head<3>()).x();
   course_.reset(at.x(), at.y(), heading, ahead, velocityBefore_[Yaw]);
 }
@@ -181,7 +181,7 @@ void Ship::findMotion(TickInput& input, const Mat3& heading) const noexcept {
   Vec6 steady = Vec6::Zero();
   steady[Surge] = course_.speed();
   steady[Yaw] = course_.turnRate();
-  input.eta << course * (position() - mean), eulerAngles(course * bodyAxes());
+  input.eta << course * (position() - mean), motionAngles(course * bodyAxes());
   input.etaDot = rotated(course, toHeading, velocity) - steady;
   const double ahead = stepBefore_ > 0.0 ? lastStep_ / (lastStep_ + stepBefore_) : 0.5;
   input.etaDotNow =
@@ -384,7 +384,7 @@ std::uint32_t Ship::tick(double time, btScalar step) noexcept {
   record_.time = time;
   record_.position = position();
   record_.attitude = attitude();
-  const Mat3 heading = rotationZ(record_.attitude.z());
+  const Mat3 heading = headingAxes();
   findInput(time, length, heading);
   record_.velocity = input_.velocityNow;
   faults |= outsideTheory();
@@ -414,7 +414,8 @@ void Ship::aimRestraint(const Mat3& heading, double step) noexcept {
   const Vec3 way = course.transpose() *
                    (Vec3(next.x, next.y, coefficients().ship.cog.z()) - record_.position) /
                    (step * frame_.metresPerUnit);
-  const double turn = std::remainder(next.heading - record_.attitude.z(), 2.0 * kPi);
+  const double turn =
+      std::remainder(next.heading - input_.meanHeading - input_.eta[Yaw], 2.0 * kPi);
   const Vec3 swing = Vec3(-input_.eta[Roll], -input_.eta[Pitch], turn) / step;
   std::array<btScalar, 6> wanted;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -438,7 +439,7 @@ std::uint32_t Ship::endTick(btScalar step) noexcept {
   force << frame_.forceToEarth(toBullet(addedMass.force())),
       frame_.momentToEarth(toBullet(addedMass.moment()));
   if (!force.allFinite()) force.setZero();
-  const double heading = attitude().z();
+  const double heading = this->heading();
   record_.loads[addedMassPart_] = rotated(toCourse(), rotationZ(-heading), force);
   headingAtSolve_ = course_.heading();
   stepBefore_ = lastStep_;

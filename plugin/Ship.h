@@ -62,6 +62,11 @@ struct PointMotion {
 /// roll, pitch, yaw [rad] of R = R_z(yaw) R_y(pitch) R_x(roll); finite for every rotation.
 Vec3 eulerAngles(const Mat3& rotation) noexcept;
 
+/// The same as long as the ship is upright to 30 degrees. Beyond 45 degrees R = R_z(yaw) S, where S
+/// turns by |s| about s = (roll, pitch, 0), |s| ≤ π: its heading does not jump when the bow or the
+/// stern points up, as Euler's does. Between the two it goes over smoothly.
+Vec3 motionAngles(const Mat3& rotation) noexcept;
+
 /// One ship: a btRigidBody and the hydrodynamic loads on it. Made by Seaway::addShip.
 ///     cutwater::Ship& ship = seaway.addShip(frigate, {.start = {.speed = 8.0}});
 ///     ship.keepCourse({.heading = 0.5});                     // autopilots
@@ -258,6 +263,7 @@ class Ship {
   btTransform poseAt(const Vec6& offset) const noexcept;
   Mat3 bodyAxes() const noexcept;
   Mat3 toCourse() const noexcept;
+  double heading() const noexcept;
   Mat3 headingAxes() const noexcept;
   Vec6 velocityInEarth(const btVector3& linear, const btVector3& angular) const noexcept;
   void courseBeginsHere() noexcept;
@@ -309,8 +315,8 @@ class Ship {
   double preparedFor_ = 0.0;  // length of tick the parts were made for; 0: none
   std::uint64_t partsKey_ = 0;
   bool measuring_ = false;
-  double growsAhead_ = 0.0,
-         growsAstern_ = 0.0;    // speeds at which the ship's motions grow [m/s]; ∞: none
+  double growsAhead_ = 0.0, growsAstern_ = 0.0;  // speeds at which its motions grow, or beyond
+                                                 // those looked at [m/s]
   double longestTick_ = 0.0;    // [s] for which loads are right, from the fastest own motion
   std::size_t broken_ = kNone;  // index of the first part whose load was not finite
 

@@ -170,8 +170,8 @@ std::uint32_t Ship::lookForMoves() noexcept {
                        static_cast<double>((pose.getOrigin() - known_.pose.getOrigin()).length());
   if (moved <= kSetElsewhere * length() && turnBetween(known_.pose, pose) <= kTurnedAway)
     return kStepOk;
-  const double before = eulerAngles(frame_.rotationToEarth(known_.pose.getBasis())).z();
-  const double turn = std::remainder(attitude().z() - before, 2.0 * kPi);
+  const double before = motionAngles(frame_.rotationToEarth(known_.pose.getBasis())).z();
+  const double turn = std::remainder(heading() - before, 2.0 * kPi);
   const Vec3 at = position();
   course_.reset(at.x(), at.y(), course_.heading() + (std::abs(turn) > kSameHeading ? turn : 0.0),
                 course_.speed());

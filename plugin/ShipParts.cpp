@@ -46,8 +46,8 @@ void Ship::makeParts(const ShipSettings& settings) {
   const WaveForce::Course start{course_.heading(), course_.speed()};
   database(std::make_unique<WaveForce>(tables_, WaveLoad::FroudeKrylov, start, follows));
   database(std::make_unique<WaveForce>(tables_, WaveLoad::Diffraction, start, follows));
-  database(
-      std::make_unique<Radiation>(hydrodynamics().radiation(), follows, settings.model.memory));
+  database(std::make_unique<Radiation>(hydrodynamics().radiation(), follows, settings.model.memory,
+                                       SpeedTermBounds{hydrodynamics().fastest(), 0.5 * length()}));
   addPart({.name = "added_mass"});
   added(std::make_unique<SupplementaryForce>(c.ship.supplementary, follows));
   auto autopilots = std::make_unique<Autopilots>(c.ship, c.addedMass.atInfinity, length());

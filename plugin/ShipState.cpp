@@ -29,6 +29,25 @@ Vec3 eulerAngles(const Mat3& r) noexcept {
           std::atan2(r(1, 0), r(0, 0))};
 }
 
+Vec3 motionAngles(const Mat3& r) noexcept {
+  constexpr double kUpright = kPi / 6.0, kBeyond = kPi / 4.0;
+  const Vec3 euler = eulerAngles(r);
+  const double tilt = std::acos(std::clamp(r(2, 2), -1.0, 1.0));
+  if (!(tilt > kUpright)) return euler;
+  const Eigen::Quaterniond all(r);
+  const double yaw = 2.0 * std::atan2(all.z(), all.w());
+  const Eigen::Quaterniond back(Eigen::AngleAxisd(-yaw, Vec3::UnitZ()));
+  const Vec3 axis = (back * all).vec();
+  const double size = std::hypot(axis.x(), axis.y());
+  Vec3 swing = size > 0.0 ? Vec3(axis * (tilt / size)) : Vec3(Vec3::Zero());
+  swing.z() = std::remainder(yaw, 2.0 * kPi);
+  if ((back * all).w() < 0.0) swing.head<2>() = -swing.head<2>();
+  const double share = std::min(1.0, (tilt - kUpright) / (kBeyond - kUpright));
+  Vec3 way = swing - euler;
+  way.z() = std::remainder(way.z(), 2.0 * kPi);
+  return euler + share * share * (3.0 - 2.0 * share) * way;
+}
+
 const Hydrodynamics& Ship::hydrodynamics() const noexcept { return *tables_->hydrodynamics(); }
 const Coefficients& Ship::coefficients() const noexcept { return hydrodynamics().coefficients(); }
 double Ship::length() const noexcept { return hydrodynamics().length(); }
@@ -44,7 +63,8 @@ Mat3 Ship::bodyAxes() const noexcept {
 Vec3 Ship::attitude() const noexcept { return eulerAngles(bodyAxes()); }
 
 // Axes with the ship's own heading, but upright: those of moments and of added mass.
-Mat3 Ship::headingAxes() const noexcept { return rotationZ(attitude().z()); }
+double Ship::heading() const noexcept { return motionAngles(bodyAxes()).z(); }
+Mat3 Ship::headingAxes() const noexcept { return rotationZ(heading()); }
 
 Vec6 Ship::velocityInEarth(const btVector3& linear, const btVector3& angular) const noexcept {
   Vec6 result;

@@ -45,11 +45,12 @@ std::shared_ptr<const RadiationModel> Hydrodynamics::radiation() const {
 const SpeedStability& Hydrodynamics::stability() const {
   const auto model = radiation();
   const std::lock_guard lock(mutex_);
-  if (!stability_)
-    stability_ = speedStability(
-        *coefficients_, *model,
-        std::max(coefficients_->stability.checkedTo, lastSpeedToCheck(coefficients_->ship)));
+  if (!stability_) stability_ = speedStability(*coefficients_, *model, fastest());
   return *stability_;
+}
+
+double Hydrodynamics::fastest() const {
+  return std::max(coefficients_->stability.checkedTo, lastSpeedToCheck(coefficients_->ship));
 }
 
 std::shared_ptr<const Hydrodynamics> readHydrodynamics(const std::string& path,

@@ -40,6 +40,8 @@ class Hydrodynamics {
   /// Speeds at which the ship's own motions grow, in this form and with its own supplementary
   /// terms. Found once, in some hundredths of a second.  @throws HydroError as radiation().
   const SpeedStability& stability() const;
+  /// Speed [m/s] up to which that was looked at: the database's last one, or Fn 0.6.
+  double fastest() const;
 
  private:
   std::shared_ptr<const Coefficients> coefficients_;

@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <memory>
 
 #include "hydro/forces/ForceGenerator.h"
@@ -8,6 +9,12 @@ namespace cutwater {
 
 class RadiationMemory;
 class RadiationModel;
+
+/// Where the terms of speed end. Nothing is bounded unless it is given.
+struct SpeedTermBounds {
+  double fastest = std::numeric_limits<double>::infinity();  ///< [m/s]
+  double halfLength = 0.0;                                   ///< [m]
+};
 
 /// Force of the waves that the ship radiates; −A^∞η̈ is left to the engine's solver:
 ///     F(t) = −∫₀^∞ K(U, τ) η̇(t − τ) dτ − b(U) η̇ − c(U) η            [M03] (30), (33), (41)-(45)
@@ -23,11 +30,16 @@ class RadiationModel;
 /// speed, not at the mean that lags behind. The report's form damps leeway by the lift of the
 /// stern, −U∂A₂₂, which drives it going astern: there a free ship has the memory of one at rest.
 /// Tuck's form holds ahead and astern.
+///
+/// These terms grow with the square of the motion. Where the ends of the hull move faster than
+/// `fastest`, far outside the theory, they are taken smaller by the square of the ratio, so that a
+/// ship that is thrown stays bounded.
 class Radiation final : public ForceGenerator {
  public:
   /// @param follows  the mean course follows the ship.
   explicit Radiation(std::shared_ptr<const RadiationModel> model, bool follows = false,
-                     MemoryModel memory = MemoryModel::Exponential);
+                     MemoryModel memory = MemoryModel::Exponential,
+                     const SpeedTermBounds& bounds = {});
   Radiation(Radiation&&) noexcept;
   ~Radiation() override;
 
@@ -53,6 +65,7 @@ class Radiation final : public ForceGenerator {
   std::unique_ptr<RadiationMemory> memory_;  // null before prepare()
   MemoryModel memoryModel_;
   bool follows_, aheadOnly_;
+  SpeedTermBounds bounds_;
 };
 
 }  // namespace cutwater
