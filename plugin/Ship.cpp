@@ -328,7 +328,7 @@ void Ship::turnByInertia(double step) noexcept {
 }
 
 // Bullet keeps the rate about a locked axis. Roll and pitch about axes that lie level turn the
-// heading none the less, by the area that they sweep, some degrees a minute in waves.
+// heading all the same, by the area that they sweep, some degrees a minute in waves.
 void Ship::holdLockedYaw(double step) noexcept {
   const int up = frame_.up == WorldFrame::Up::Z ? 2 : 1;
   const bool locked = body_->getAngularFactor()[up] == 0;

@@ -40,12 +40,13 @@ Vec3 motionAngles(const Mat3& r) noexcept {
   const Vec3 axis = (back * all).vec();
   const double size = std::hypot(axis.x(), axis.y());
   Vec3 swing = size > 0.0 ? Vec3(axis * (tilt / size)) : Vec3(Vec3::Zero());
-  swing.z() = std::remainder(yaw, 2.0 * kPi);
-  if ((back * all).w() < 0.0) swing.head<2>() = -swing.head<2>();
+  swing.z() = yaw;
   const double share = std::min(1.0, (tilt - kUpright) / (kBeyond - kUpright));
   Vec3 way = swing - euler;
   way.z() = std::remainder(way.z(), 2.0 * kPi);
-  return euler + share * share * (3.0 - 2.0 * share) * way;
+  Vec3 angles = euler + share * share * (3.0 - 2.0 * share) * way;
+  angles.z() = std::remainder(angles.z(), 2.0 * kPi);
+  return angles;
 }
 
 const Hydrodynamics& Ship::hydrodynamics() const noexcept { return *tables_->hydrodynamics(); }

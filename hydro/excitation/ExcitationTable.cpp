@@ -227,9 +227,11 @@ void ExcitationTable::put(const CVec6& force, double* at) {
 void ExcitationTable::enter(const IncidentVelocity& v, double* at) const {
   for (std::size_t p = 0; p < 2; ++p) {
     if (rank_[p] == 0) continue;
-    const Eigen::VectorXcd q = basis_[p].transpose().cast<Complex>() * (p == 0 ? v.even : v.odd);
-    for (Eigen::Index i = 0; i < q.size(); ++i) *at++ = q[i].real();
-    for (Eigen::Index i = 0; i < q.size(); ++i) *at++ = q[i].imag();
+    const Eigen::VectorXcd& velocity = p == 0 ? v.even : v.odd;
+    Eigen::MatrixX2d parts(velocity.size(), 2);
+    parts << velocity.real(), velocity.imag();
+    const Eigen::MatrixX2d q = basis_[p].transpose() * parts;
+    at = std::copy_n(q.data(), q.size(), at);
   }
 }
 

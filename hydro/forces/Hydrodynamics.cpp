@@ -5,6 +5,7 @@
 #include "hydro/Errors.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/database/ForwardSpeed.h"
+#include "hydro/forces/SeaTables.h"
 #include "hydro/memory/RadiationModel.h"
 #include "hydro/memory/Resonances.h"
 #include "hydro/memory/SpeedStability.h"
@@ -51,6 +52,17 @@ const SpeedStability& Hydrodynamics::stability() const {
 
 double Hydrodynamics::fastest() const {
   return std::max(coefficients_->stability.checkedTo, lastSpeedToCheck(coefficients_->ship));
+}
+
+std::shared_ptr<SeaCache> Hydrodynamics::cacheOf(const SeaState& sea) const {
+  const std::lock_guard lock(mutex_);
+  const auto known =
+      std::find_if(seas_.begin(), seas_.end(), [&](const auto& cache) { return cache->isOf(sea); });
+  auto found = known != seas_.end() ? *known : std::make_shared<SeaCache>(sea);
+  if (known != seas_.end()) seas_.erase(known);
+  seas_.push_back(found);
+  if (seas_.size() > kSeasKept) seas_.erase(seas_.begin());
+  return found;
 }
 
 std::shared_ptr<const Hydrodynamics> readHydrodynamics(const std::string& path,

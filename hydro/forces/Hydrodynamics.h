@@ -3,19 +3,23 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "hydro/database/Coefficients.h"
 
 namespace cutwater {
 
 class RadiationModel;
+class SeaState;
+struct SeaCache;  // of SeaTables
 
 /// What all ships of one database share. Make it once, give it to every ship:
 ///     const auto frigate = cutwater::readHydrodynamics("frigate.h5");
 ///     seaway.addShip(frigate, {.start = {.x = 0}});
 ///     seaway.addShip(frigate, {.start = {.x = 300}});
-/// It owns its coefficients and lives as long as somebody holds it. Immutable but for what is made
-/// when first asked for; any thread may call.
+/// It owns its coefficients and lives as long as somebody holds it, and so do the wave loads of the
+/// last seas that it was asked for: a second world with the same waves is ready at once. Immutable
+/// but for what is made when first asked for; any thread may call.
 class Hydrodynamics {
  public:
   /// @param form of the forward-speed terms; absent: the database's own, or Tuck's where the
@@ -42,6 +46,10 @@ class Hydrodynamics {
   const SpeedStability& stability() const;
   /// Speed [m/s] up to which that was looked at: the database's last one, or Fn 0.6.
   double fastest() const;
+  /// Internal: wave loads on this ship in waves of these frequencies and headings. The last
+  /// kSeasKept of them are kept, and those in use.
+  std::shared_ptr<SeaCache> cacheOf(const SeaState& sea) const;
+  static constexpr std::size_t kSeasKept = 8;
 
  private:
   std::shared_ptr<const Coefficients> coefficients_;
@@ -50,6 +58,7 @@ class Hydrodynamics {
   mutable std::mutex mutex_;
   mutable std::shared_ptr<const RadiationModel> radiation_;
   mutable std::optional<SpeedStability> stability_;
+  mutable std::vector<std::shared_ptr<SeaCache>> seas_;  // the last one asked for comes last
 };
 
 /// Reads a database (CoefficientsFile.h) to be shared by ships.

@@ -1,5 +1,6 @@
 #include "hydro/forces/SeaTables.h"
 
+#include <algorithm>
 #include <string>
 
 #include "hydro/Errors.h"
@@ -15,16 +16,27 @@ SeaTables::SeaTables(std::shared_ptr<const Hydrodynamics> hydrodynamics,
   if (!hydro_ || !sea_) {
     throw HydroError(Fault::BadArgument, "SeaTables: no hydrodynamics or no sea (null pointer)");
   }
+  cache_ = hydro_->cacheOf(*sea_);
 }
 
 SeaTables::~SeaTables() = default;
 
+bool SeaCache::isOf(const SeaState& sea) const noexcept {
+  const auto same = [](const WaveComponent& a, const WaveComponent& b) {
+    return a.omega == b.omega && a.heading == b.heading;
+  };
+  const auto mine = waves.components(), other = sea.components();
+  return waves.gravity() == sea.gravity() &&
+         std::equal(mine.begin(), mine.end(), other.begin(), other.end(), same);
+}
+
 std::shared_ptr<const ExcitationTable> SeaTables::following() const {
-  const std::lock_guard lock(mutex_);
-  if (!following_) {
-    following_ = std::make_shared<ExcitationTable>(hydro_->coefficients(), *sea_, hydro_->form());
+  const std::lock_guard lock(cache_->mutex);
+  if (!cache_->following) {
+    cache_->following =
+        std::make_shared<ExcitationTable>(hydro_->coefficients(), *sea_, hydro_->form());
   }
-  return following_;
+  return cache_->following;
 }
 
 namespace {
@@ -51,15 +63,18 @@ CourseForces forcesOn(const Hydrodynamics& hydro, const SeaState& sea, double he
 }  // namespace
 
 std::shared_ptr<const CourseForces> SeaTables::exact(double heading, double speed) const {
-  const std::lock_guard lock(mutex_);
-  std::erase_if(exact_, [](const auto& known) { return known.expired(); });
-  for (const auto& known : exact_) {
-    const std::shared_ptr<const CourseForces> forces = known.lock();
-    if (forces && forces->heading == heading && forces->speed == speed) return forces;
+  const std::lock_guard lock(cache_->mutex);
+  auto& kept = cache_->exact;
+  const auto known = std::find_if(kept.begin(), kept.end(), [&](const auto& forces) {
+    return forces->heading == heading && forces->speed == speed;
+  });
+  if (known != kept.end()) {
+    std::rotate(known, known + 1, kept.end());
+    return kept.back();
   }
-  auto made = std::make_shared<const CourseForces>(forcesOn(*hydro_, *sea_, heading, speed));
-  exact_.push_back(made);
-  return made;
+  kept.push_back(std::make_shared<const CourseForces>(forcesOn(*hydro_, *sea_, heading, speed)));
+  if (kept.size() > SeaCache::kCoursesKept) kept.erase(kept.begin());
+  return kept.back();
 }
 
 }  // namespace cutwater

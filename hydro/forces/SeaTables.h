@@ -23,9 +23,21 @@ struct CourseForces {
   std::vector<std::array<CVec6, 2>> components;  ///< [component][WaveLoad]
 };
 
+/// Wave loads on one ship's hull, per metre of amplitude, made when first asked for. They belong to
+/// frequencies and headings; seas that differ in heights and phases alone share them.
+struct SeaCache {
+  explicit SeaCache(const SeaState& sea) : waves(sea) {}
+  bool isOf(const SeaState& sea) const noexcept;
+
+  static constexpr std::size_t kCoursesKept = 16;
+  SeaState waves;
+  std::mutex mutex;  // of what follows
+  std::shared_ptr<const ExcitationTable> following;
+  std::vector<std::shared_ptr<const CourseForces>> exact;  // the last one asked for comes last
+};
+
 /// What all ships of one Hydrodynamics share in one sea. Seaway makes and keeps it; it can be
-/// exchanged for that of another sea. Immutable but for tables that are made when first asked for;
-/// any thread may call.
+/// exchanged for that of another sea. Its loads are kept by the Hydrodynamics. Any thread may call.
 class SeaTables {
  public:
   /// @throws HydroError BadArgument: a null pointer.
@@ -39,16 +51,14 @@ class SeaTables {
   /// Loads at any course and speed, for a ship whose mean course follows it. Made once: some tenths
   /// of a second and 10 MB for 200 components.  @throws HydroError as ExcitationTable.
   std::shared_ptr<const ExcitationTable> following() const;
-  /// Exact loads on a fixed course; ships of the same course share them while one of them lives.
+  /// Exact loads on a fixed course. The last SeaCache::kCoursesKept are kept, and those in use.
   /// @throws HydroError as WaveExcitation::at, naming the component.
   std::shared_ptr<const CourseForces> exact(double heading, double speed) const;
 
  private:
   std::shared_ptr<const Hydrodynamics> hydro_;
   std::shared_ptr<const SeaState> sea_;
-  mutable std::mutex mutex_;
-  mutable std::shared_ptr<const ExcitationTable> following_;
-  mutable std::vector<std::weak_ptr<const CourseForces>> exact_;
+  std::shared_ptr<SeaCache> cache_;
 };
 
 }  // namespace cutwater

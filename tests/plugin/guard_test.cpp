@@ -1,9 +1,12 @@
 // What Bullet programs do to a ship without asking it: locks, sleep, gravity, removal, moves.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 
+#include "hydro/forces/Hydrodynamics.h"
+#include "hydro/forces/SeaTables.h"
 #include "plugin/AddedMassConstraint.h"
 #include "tests/plugin/TestScene.h"
 #include "tests/support/Results.h"
@@ -584,6 +587,88 @@ TEST(ShipGuard, TwoEpisodesFromOnePlaceAreTheSameBits) {
     end = bodyOf(scene).getCenterOfMassPosition();
   }
   EXPECT_EQ((ends[0] - ends[1]).length(), 0);
+}
+
+// Far outside the theory.
+
+// From the air, and upside down in a storm: whatever it does, it comes back or stays bounded.
+TEST(ShipGuard, ThrownFromAKilometreItComesToRest) {
+  for (const Mean mean : {Mean::Fixed, Mean::Filtered}) {
+    Scene scene({.start = {.offset = one(Heave, 1000) + one(Roll, 0.3) + one(Pitch, 0.2)},
+                 .model = {.mean = mean}},
+                {}, slenderShip());
+    scene.run(64 * 600);
+    EXPECT_EQ(scene.seaway.faults() & ~kWarningBits, kStepOk);
+    EXPECT_NE(scene.seaway.faults() & kOutOfWater, kStepOk);
+    EXPECT_LT(std::abs(scene.sphere->velocity()[2]), 0.01);
+    EXPECT_LT(std::abs(scene.sphere->attitude()[0]), 0.01);
+  }
+}
+
+// Rolled over and over with the water's forces of waves and radiation off: restoring has a
+// potential, so that the spin comes back to what it was at each turn. A moment that jumped at
+// 180 degrees would add to it turn by turn. The scheme is of second order in the tick.
+TEST(ShipGuard, RolledOverAndOverItGainsNoEnergy) {
+  for (const int mode : {Roll, Pitch}) {
+    Scene scene({.start = {.velocity = one(mode, 2.5)}}, {}, slenderShip());
+    for (const char* part : {"radiation", "supplementary"}) scene.sphere->setEnabled(part, false);
+    double low = 1e9, high = 0.0;
+    for (int i = 0; i < 64 * 300; ++i) {
+      scene.run(1);
+      const Vec3 angles = motionAngles(fromBullet(bodyOf(scene).getWorldTransform().getBasis()));
+      if (std::abs(angles[mode - 3]) > 0.1 || i < 640) continue;
+      const double spin = std::abs(scene.sphere->velocity()[mode]);
+      low = std::min(low, spin);
+      high = std::max(high, spin);
+    }
+    EXPECT_GT(low, 2.3) << mode;
+    EXPECT_LT(high, 2.7) << mode;
+  }
+}
+
+TEST(MotionAngles, AreEulersWhenUprightAndHaveNoJumpBeyond) {
+  const auto rotation = [](double roll, double pitch, double yaw) {
+    return Mat3((Eigen::AngleAxisd(yaw, Vec3::UnitZ()) * Eigen::AngleAxisd(pitch, Vec3::UnitY()) *
+                 Eigen::AngleAxisd(roll, Vec3::UnitX()))
+                    .toRotationMatrix());
+  };
+  EXPECT_EQ(motionAngles(rotation(0.3, -0.2, 2.0)), eulerAngles(rotation(0.3, -0.2, 2.0)));
+  // Roll alone and pitch alone are themselves to ±180 degrees.
+  for (const double angle : {-3.1, -1.6, -0.7, 0.6, 1.5, 1.7, 3.0}) {
+    EXPECT_LT((motionAngles(rotation(angle, 0, 0.4)) - Vec3(angle, 0, 0.4)).norm(), 1e-12);
+    EXPECT_LT((motionAngles(rotation(0, angle, 0.4)) - Vec3(0, angle, 0.4)).norm(), 1e-12);
+  }
+  // Over the bow, with some roll: no step is larger than a few times the turn.
+  Vec3 before = motionAngles(rotation(0.2, 0.0, 0.3));
+  for (int i = 1; i < 2800; ++i) {
+    Vec3 step = motionAngles(rotation(0.2, 0.001 * i, 0.3)) - before;
+    step.z() = std::remainder(step.z(), 2.0 * kPi);
+    EXPECT_LT(step.norm(), 0.005) << i;
+    before += step;
+  }
+}
+
+// Shared among worlds.
+
+TEST(ShipGuard, WaveLoadsLiveAsLongAsTheirHydrodynamics) {
+  const auto hydro = std::make_shared<const Hydrodynamics>(slenderShip());
+  const SeaTables first(hydro, std::make_shared<const SeaState>(waves()));
+  const auto* table = first.following().get();
+  const auto* course = first.exact(0.4, 0.0).get();
+  // Other heights and phases of the same waves are the same loads per metre.
+  const SeaState sea = waves();
+  std::vector<WaveComponent> higher(sea.components().begin(), sea.components().end());
+  for (WaveComponent& wave : higher) {
+    wave.amplitude *= 2.0;
+    wave.phase += 1.0;
+  }
+  const SeaTables second(hydro, std::make_shared<const SeaState>(higher, kSphereGravity));
+  EXPECT_EQ(second.following().get(), table);
+  EXPECT_EQ(second.exact(0.4, 0.0).get(), course);
+  EXPECT_NE(second.exact(0.5, 0.0).get(), course);
+  higher.front().heading += 0.1;
+  const SeaTables other(hydro, std::make_shared<const SeaState>(higher, kSphereGravity));
+  EXPECT_NE(other.following().get(), table);
 }
 
 // Drawing.
