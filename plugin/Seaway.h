@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -10,6 +12,12 @@ CUTWATER_PLUGIN_BEGIN
 class Seaway;
 class ThreadPool;
 class WorldHook;
+
+/// When a StepFault bit was raised: time t_n [s] of the first tick, and in how many ticks.
+struct FaultCount {
+  double first = 0.0;
+  std::uint64_t ticks = 0;
+};
 
 /// Sees every internal tick of a Seaway, when it is over.
 class TickObserver {
@@ -95,7 +103,9 @@ class Seaway final {
 
   /// StepFault bits of all ticks since clearFaults(), of all ships. Ship::brokenPart names a part.
   std::uint32_t faults() const noexcept { return faults_; }
-  void clearFaults() noexcept { faults_ = kStepOk; }
+  /// Of one bit, since clearFaults().
+  FaultCount faultCount(StepFault bit) const noexcept;
+  void clearFaults() noexcept;
 
   /// Exact state of time and ships, in their order: going on from it gives the same bits, if
   /// contacts are forgotten both when it is taken and when it is restored (or there are none).
@@ -126,6 +136,7 @@ class Seaway final {
   Ship& add(std::shared_ptr<const Hydrodynamics> hydrodynamics, const ShipSettings& settings,
             btRigidBody* own);
   std::shared_ptr<const SeaTables> tablesOf(std::shared_ptr<const Hydrodynamics> hydrodynamics);
+  void raise(std::uint32_t faults) noexcept;
   void beforeTick(btScalar step) noexcept;
   void afterTick(btScalar step) noexcept;
 
@@ -133,9 +144,10 @@ class Seaway final {
   std::shared_ptr<const SeaState> sea_;
   WorldFrame frame_;
   double time_ = 0.0;
-  btScalar step_ = 0;         // of this tick
-  double preparedFor_ = 0.0;  // length of tick; 0: none
-  std::uint32_t faults_ = kStepOk;
+  btScalar step_ = 0;                                      // of this tick
+  double preparedFor_ = 0.0;                               // length of tick; 0: none
+  std::uint32_t faults_ = kStepOk, tickFaults_ = kStepOk;  // since they were cleared; of this tick
+  std::array<FaultCount, 32> faultCounts_{};               // of each bit
   std::vector<std::shared_ptr<const SeaTables>> tables_;
   std::vector<std::unique_ptr<Ship>> ships_;
   std::vector<std::uint32_t> shipFaults_;  // of this tick
