@@ -1,7 +1,9 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "hydro/Errors.h"
@@ -114,6 +116,13 @@ class Seaway final {
   struct Snapshot {
     double time = 0.0;
     std::vector<Ship::Snapshot> ships;
+
+    /// For a file or another process with the same precision of Bullet, which goes on with the same
+    /// bits. Little-endian, with a version and a checksum.
+    std::vector<std::byte> toBytes() const;
+    /// @throws HydroError FileMalformed: cut off, damaged or no snapshot; VersionNotSupported: of
+    ///         the other precision of Bullet, or of a Cutwater whose ships hold other numbers.
+    static Snapshot fromBytes(std::span<const std::byte> bytes);
   };
   Snapshot save() const;
   void save(Snapshot& snapshot) const;
