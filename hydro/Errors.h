@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace cutwater {
 
@@ -71,7 +72,7 @@ enum StepFault : std::uint32_t {
   /// A constraint of ours was taken out of the world, and put back; or deleted: no loads from then.
   kConstraintRemoved = 1u << 9,
   kMassChanged = 1u << 10,     ///< the body's mass or inertia is not the database's any more
-  kGravityChanged = 1u << 11,  ///< the world's gravity is not the database's, or does not point down
+  kGravityChanged = 1u << 11,  ///< the world's gravity is not the database's, or points elsewhere
   /// Tilted more than linear theory can carry (Ship::kLargestTilt): all loads are applied, bounded.
   kAttitudeOutsideTheory = 1u << 12,
   kOutOfWater = 1u << 13,     ///< the whole hull is above the waves, or below them
@@ -83,5 +84,11 @@ enum StepFault : std::uint32_t {
 inline constexpr std::uint32_t kWarningBits =
     kTickLengthChanged | kSpeedOutsideTheory | kTickTooLong | kMassChanged | kGravityChanged |
     kAttitudeOutsideTheory | kOutOfWater | kFarFromCourse | kCourseBegan;
+
+/// What the bits say in plain English, one phrase a bit, joined by "; ". A bit that has no meaning
+/// is told by its number; "" for none.
+std::string faultText(std::uint32_t bits);
+/// "kTickTooLong"; "" for what is not one bit with a meaning.
+std::string_view faultName(StepFault bit) noexcept;
 
 }  // namespace cutwater

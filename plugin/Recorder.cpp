@@ -74,10 +74,10 @@ void Recorder::tickDone(const Seaway&) noexcept {
   }
 }
 
-std::string Recorder::csv() const {
+std::string Recorder::csv(std::size_t rows) const {
   std::string text;
   for (const std::string& name : names_) text += name + (&name == &names_.back() ? "\n" : ",");
-  for (std::size_t row = 0; row < rows(); ++row) {
+  for (std::size_t row = 0; row < std::min(rows, this->rows()); ++row) {
     addCsvRow(text, std::span(numbers_).subspan(row * names_.size(), names_.size()));
   }
   return text;

@@ -40,8 +40,9 @@ class Recorder final : private TickObserver {
     return numbers_[row * names_.size() + column];
   }
 
-  /// Header and rows.
-  std::string csv() const;
+  /// Header and the first `rows` rows.
+  std::string csv(std::size_t rows) const;
+  std::string csv() const { return csv(rows()); }
   /// Written whole, under another name first, then renamed. @throws HydroError FileNotWritable.
   void write(const std::string& path) const;
 

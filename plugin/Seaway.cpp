@@ -1,6 +1,7 @@
 #include "plugin/Seaway.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -101,7 +102,7 @@ class Seaway::Listener final : public TickListener {
   explicit Listener(Seaway& seaway) : seaway_(seaway) {}
   void beforeTick(btScalar step) noexcept override { seaway_.beforeTick(step); }
   void afterTick(btScalar step) noexcept override { seaway_.afterTick(step); }
-  void slotTaken() noexcept override { seaway_.faults_ |= kCallbackReplaced; }
+  void slotTaken() noexcept override { seaway_.raise(kCallbackReplaced); }
   void draw(btIDebugDraw& drawer) noexcept override { seaway_.debugDraw(drawer); }
 
  private:
@@ -243,8 +244,28 @@ void Seaway::addObserver(TickObserver& observer) { observers_.push_back(&observe
 
 void Seaway::removeObserver(TickObserver& observer) noexcept { std::erase(observers_, &observer); }
 
+// A bit counts once a tick, however many ships raise it.
+void Seaway::raise(std::uint32_t faults) noexcept {
+  for (std::uint32_t left = faults & ~tickFaults_; left != 0; left &= left - 1) {
+    FaultCount& count = faultCounts_[static_cast<std::size_t>(std::countr_zero(left))];
+    if (count.ticks++ == 0) count.first = time_;
+  }
+  tickFaults_ |= faults;
+  faults_ |= faults;
+}
+
+FaultCount Seaway::faultCount(StepFault bit) const noexcept {
+  if (!std::has_single_bit(static_cast<std::uint32_t>(bit))) return {};
+  return faultCounts_[static_cast<std::size_t>(std::countr_zero(static_cast<std::uint32_t>(bit)))];
+}
+
+void Seaway::clearFaults() noexcept {
+  faults_ = tickFaults_ = kStepOk;
+  faultCounts_.fill({});
+}
+
 void Seaway::beforeTick(btScalar step) noexcept {
-  if (!solverCarriesAddedMass(world_)) faults_ |= kSolverNotSupported;
+  if (!solverCarriesAddedMass(world_)) raise(kSolverNotSupported);
   step_ = step;
   const auto one = [](void* self, std::size_t i) {
     auto& s = *static_cast<Seaway*>(self);
@@ -255,13 +276,14 @@ void Seaway::beforeTick(btScalar step) noexcept {
   } else {
     for (std::size_t i = 0; i < ships_.size(); ++i) one(this, i);
   }
-  for (std::size_t i = 0; i < ships_.size(); ++i) faults_ |= shipFaults_[i];
+  for (std::size_t i = 0; i < ships_.size(); ++i) raise(shipFaults_[i]);
 }
 
 void Seaway::afterTick(btScalar step) noexcept {
-  for (const auto& ship : ships_) faults_ |= ship->endTick(step);
+  for (const auto& ship : ships_) raise(ship->endTick(step));
   for (TickObserver* observer : observers_) observer->tickDone(*this);
   time_ += static_cast<double>(step);
+  tickFaults_ = kStepOk;
 }
 
 CUTWATER_PLUGIN_END

@@ -1,5 +1,9 @@
 #pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "hydro/Errors.h"
@@ -10,6 +14,12 @@ CUTWATER_PLUGIN_BEGIN
 class Seaway;
 class ThreadPool;
 class WorldHook;
+
+/// When a StepFault bit was raised: time t_n [s] of the first tick, and in how many ticks.
+struct FaultCount {
+  double first = 0.0;
+  std::uint64_t ticks = 0;
+};
 
 /// Sees every internal tick of a Seaway, when it is over.
 class TickObserver {
@@ -95,7 +105,9 @@ class Seaway final {
 
   /// StepFault bits of all ticks since clearFaults(), of all ships. Ship::brokenPart names a part.
   std::uint32_t faults() const noexcept { return faults_; }
-  void clearFaults() noexcept { faults_ = kStepOk; }
+  /// Of one bit, since clearFaults().
+  FaultCount faultCount(StepFault bit) const noexcept;
+  void clearFaults() noexcept;
 
   /// Exact state of time and ships, in their order: going on from it gives the same bits, if
   /// contacts are forgotten both when it is taken and when it is restored (or there are none).
@@ -104,6 +116,13 @@ class Seaway final {
   struct Snapshot {
     double time = 0.0;
     std::vector<Ship::Snapshot> ships;
+
+    /// For a file or another process with the same precision of Bullet, which goes on with the same
+    /// bits. Little-endian, with a version and a checksum.
+    std::vector<std::byte> toBytes() const;
+    /// @throws HydroError FileMalformed: cut off, damaged or no snapshot; VersionNotSupported: of
+    ///         the other precision of Bullet, or of a Cutwater whose ships hold other numbers.
+    static Snapshot fromBytes(std::span<const std::byte> bytes);
   };
   Snapshot save() const;
   void save(Snapshot& snapshot) const;
@@ -126,6 +145,7 @@ class Seaway final {
   Ship& add(std::shared_ptr<const Hydrodynamics> hydrodynamics, const ShipSettings& settings,
             btRigidBody* own);
   std::shared_ptr<const SeaTables> tablesOf(std::shared_ptr<const Hydrodynamics> hydrodynamics);
+  void raise(std::uint32_t faults) noexcept;
   void beforeTick(btScalar step) noexcept;
   void afterTick(btScalar step) noexcept;
 
@@ -133,9 +153,10 @@ class Seaway final {
   std::shared_ptr<const SeaState> sea_;
   WorldFrame frame_;
   double time_ = 0.0;
-  btScalar step_ = 0;         // of this tick
-  double preparedFor_ = 0.0;  // length of tick; 0: none
-  std::uint32_t faults_ = kStepOk;
+  btScalar step_ = 0;                                      // of this tick
+  double preparedFor_ = 0.0;                               // length of tick; 0: none
+  std::uint32_t faults_ = kStepOk, tickFaults_ = kStepOk;  // since they were cleared; of this tick
+  std::array<FaultCount, 32> faultCounts_{};               // of each bit
   std::vector<std::shared_ptr<const SeaTables>> tables_;
   std::vector<std::unique_ptr<Ship>> ships_;
   std::vector<std::uint32_t> shipFaults_;  // of this tick

@@ -211,10 +211,11 @@ class Ship {
     std::array<double, 4> lockedYaw{};
     TickRecord record;
     std::array<double, MeanCourse::kStateSize> course;
-    std::uint64_t partsKey = 0;      // of the names of the parts
-    std::vector<std::size_t> sizes;  // numbers of each part's state
-    std::vector<double> states;      // of the parts, one after the other
-    std::vector<char> enabled;       // of the parts
+    std::uint64_t hydrodynamicsKey = 0;  // Hydrodynamics::key
+    std::uint64_t partsKey = 0;          // of the names of the parts
+    std::vector<std::size_t> sizes;      // numbers of each part's state
+    std::vector<double> states;          // of the parts, one after the other
+    std::vector<char> enabled;           // of the parts
   };
   Snapshot save() const;
   /// The same into one that exists: allocates nothing if it is of this ship.

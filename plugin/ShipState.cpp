@@ -187,6 +187,7 @@ void Ship::save(Snapshot& s) const {
 }
 
 void Ship::saveParts(Snapshot& s) const {
+  s.hydrodynamicsKey = hydrodynamics().key();
   s.partsKey = partsKey_;
   s.sizes.resize(parts_.size());
   s.enabled.resize(parts_.size());
@@ -209,6 +210,9 @@ void Ship::checkParts(const Snapshot& s) const {
   const auto refuse = [](const std::string& why) {
     throw HydroError(Fault::BadArgument, "Ship::restore: " + why);
   };
+  if (s.hydrodynamicsKey != hydrodynamics().key()) {
+    refuse("the snapshot is of a ship of another database");
+  }
   if (s.partsKey != partsKey_ || s.sizes.size() != parts_.size()) {
     refuse("the snapshot is of a ship whose load has other parts");
   }

@@ -1,8 +1,10 @@
 #include "hydro/forces/Hydrodynamics.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "hydro/Errors.h"
+#include "hydro/base/Fnv1a.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/forces/SeaTables.h"
@@ -25,6 +27,26 @@ Bounds boundsOf(const ShipParticulars& ship) {
   return bounds(ship.hull.vertices.empty() ? ship.wetSurface : ship.hull);
 }
 
+std::uint64_t keyOf(const Coefficients& c, ForwardSpeedForm form) {
+  Fnv1a key;
+  const auto add = [&key](std::initializer_list<double> numbers) {
+    for (const double number : numbers) key.add(&number, sizeof number);
+  };
+  const auto matrix = [&key](const auto& m) {
+    key.add(m.data(), sizeof(double) * static_cast<std::size_t>(m.size()));
+  };
+  const ShipParticulars& ship = c.ship;
+  add({static_cast<double>(form), ship.mass, ship.volume, ship.density, ship.gravity,
+       ship.supplementary.rollDampingQuadratic});
+  for (const Vec3& v : {ship.cog, ship.gyradii, ship.centreOfBuoyancy}) matrix(v);
+  for (const Vec6& v : {ship.supplementary.damping, ship.supplementary.stiffness}) matrix(v);
+  for (const double omega : c.omega) add({omega});
+  for (const Mat6& m : {ship.restoring, c.addedMass.atZero, c.addedMass.atInfinity}) matrix(m);
+  for (const Mat6& m : c.addedMass) matrix(m);
+  for (const Mat6& m : c.damping) matrix(m);
+  return key.value();
+}
+
 }  // namespace
 
 Hydrodynamics::Hydrodynamics(std::shared_ptr<const Coefficients> coefficients,
@@ -33,7 +55,8 @@ Hydrodynamics::Hydrodynamics(std::shared_ptr<const Coefficients> coefficients,
       form_(form.value_or(usableForm(checked(coefficients_)))),
       length_(coefficients_->ship.lengthOverall()),
       keel_(std::min(0.0, boundsOf(coefficients_->ship).low.z())),
-      top_(std::max(0.0, boundsOf(coefficients_->ship).high.z())) {}
+      top_(std::max(0.0, boundsOf(coefficients_->ship).high.z())),
+      key_(keyOf(*coefficients_, form_)) {}
 
 Hydrodynamics::~Hydrodynamics() = default;
 

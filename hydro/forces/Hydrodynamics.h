@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -38,6 +39,9 @@ class Hydrodynamics {
   double keel() const noexcept { return keel_; }      ///< lowest point, hull axes [m]
   double top() const noexcept { return top_; }  ///< highest, 0 of a hull known below water only
 
+  /// Hash of ship, A, B and form: another one for other hydrodynamics, the same in every process.
+  std::uint64_t key() const noexcept { return key_; }
+
   /// Internal: retardation functions and their fit, made once.
   /// @throws HydroError as RadiationModel.
   std::shared_ptr<const RadiationModel> radiation() const;
@@ -55,6 +59,7 @@ class Hydrodynamics {
   std::shared_ptr<const Coefficients> coefficients_;
   ForwardSpeedForm form_;
   double length_, keel_, top_;
+  std::uint64_t key_;
   mutable std::mutex mutex_;
   mutable std::shared_ptr<const RadiationModel> radiation_;
   mutable std::optional<SpeedStability> stability_;

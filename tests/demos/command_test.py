@@ -139,6 +139,19 @@ class Tables(Files):
         # The ship is near the origin.
         self.assertAlmostEqual(float(rows[-1]["wave"]), math.cos(0.8 * 4.0), delta=0.01)
 
+    def test_outside_the_theory_it_goes_on_and_says_so_once(self):
+        run = self.path("run.toml", RUN + "[motion]\nstart = { x = 5000.0, z = 40.0 }\n")
+        done = call("simulate", run)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(len(done.stdout.splitlines()), 202)
+        # At t = 0 the waves have not begun to grow.
+        for name, words in (("kFarFromCourse", "first at t = 0.02 s, in 200 ticks, up to 50"),
+                            ("kOutOfWater", "first at t = 0 s, in ")):
+            lines = [line for line in done.stderr.splitlines() if name in line]
+            self.assertEqual(len(lines), 1, done.stderr)
+            self.assertIn("cutwater: warning: " + run + ": ", lines[0])
+            self.assertIn(words, lines[0])
+
     def test_single_precision_follows_double(self):
         double = table("simulate", self.path("d.toml", RUN))
         run = self.path("s.toml", RUN.replace("[waves]", "double = false\n[waves]"))

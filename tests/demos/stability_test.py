@@ -5,7 +5,9 @@ Tuck's it keeps its speed.
 """
 import csv
 import io
+import math
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -82,11 +84,75 @@ class Launch(unittest.TestCase):
         short = RUN.replace("duration = 100.0", "duration = 25.0")
         done = self.simulate(short + "allow_unstable = true\n")
         self.assertIn("unstable above", done.stderr)
-        self.assertIn("outside the theory", done.stderr)
+        # A warning speaks once: what, its name, since when, in how many of the ticks.
+        lines = [line for line in done.stderr.splitlines() if "kSpeedOutsideTheory" in line]
+        self.assertEqual(len(lines), 1, done.stderr)
+        for word in ("warning: run.toml: ", "outside the theory", "first at t = 0 s",
+                     "in 1251 ticks"):
+            self.assertIn(word, lines[0])
         self.assertGreater(self.last_speed(done), 5.0)
         # With surge held nothing grows.
         held = RUN.replace("restrain = [2, 3, 4, 5, 6]", "restrain = [1]")
         self.assertEqual(self.simulate(held).returncode, 0)
+
+    def test_a_run_that_breaks_leaves_the_rows_before_and_fails(self):
+        """A speed that grows e-fold in 6 s ends at numbers that single precision cannot hold."""
+        self.solve('forward_speed = "report"')
+        growing = RUN.replace("duration = 100.0", "duration = 2000.0\ndouble = false\nsubsteps = 3")
+        self.write("run.toml", growing + "allow_unstable = true\n")
+        for arguments in (["-o", "run.csv"], []):
+            done = call("simulate", "run.toml", *arguments, folder=self.folder)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            lines = done.stderr.strip().splitlines()
+            self.assertEqual(sum("kSpeedOutsideTheory" in line for line in lines), 1)
+            last = lines[-1]
+            self.assertIn("run.toml: ", last)
+            self.assertRegex(last, r"\(k(Load|State)NotFinite.*\) at t = [0-9.]+ s; the run ended")
+            self.assertEqual(len([line for line in lines if "NotFinite" in line]), 1)
+            text = done.stdout
+            if arguments:
+                self.assertEqual(text, "")
+                with open(os.path.join(self.folder, "run.csv"), encoding="utf-8") as file:
+                    text = file.read()
+            self.assertTrue(text.endswith("\n"))
+            rows = list(csv.DictReader(io.StringIO(text)))
+            broke = float(re.search(r"at t = ([0-9.]+) s; the", last)[1])
+            # 0.02 s a tick; what broke at the end of a tick is seen at the beginning of the next.
+            self.assertAlmostEqual(float(rows[-1]["t"]), broke - 0.02, delta=1e-3)
+            self.assertIn(f"{len(rows)} rows before it", last)
+            self.assertGreater(float(rows[-1]["x"]), 1e9)
+            for row in rows[::100] + rows[-2:]:
+                self.assertTrue(all(math.isfinite(float(value)) for value in row.values()))
+
+    def test_a_sweep_writes_the_waves_that_went_well_and_fails_for_the_others(self):
+        """A wave of more surge grows to the end of the numbers earlier."""
+        self.solve('forward_speed = "report"')
+        text = (RUN.replace('"none"', '"regular"\nomega = [0.5, 3.0]\nramp = 1.0')
+                .replace("start = { u = 0.1 }", "allow_unstable = true")
+                .replace("duration = 100.0", "duration = DURATION\ndouble = false"))
+
+        def sweep(duration):
+            self.write("sweep.toml", text.replace("DURATION", str(duration)))
+            done = call("sweep", "sweep.toml", folder=self.folder)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            lines = done.stderr.strip().splitlines()
+            warned = [line for line in lines if "kSpeedOutsideTheory" in line]
+            self.assertEqual(len(warned), 1)
+            self.assertIn("of 2 of 2 runs", warned[0])
+            times = dict(re.findall(r"omega = ([0-9.]+): [^:]*?NotFinite[^:]*? at t = ([0-9.]+) s",
+                                    lines[-1]))
+            rows = list(csv.DictReader(io.StringIO(done.stdout)))
+            self.assertEqual(len(rows), 12)
+            for row in rows:
+                good = row["omega"] not in times
+                self.assertEqual(math.isfinite(float(row["time_amplitude"])), good)
+                self.assertTrue(math.isfinite(float(row["freq_amplitude"])))
+            return {omega: float(time) for omega, time in times.items()}
+
+        times = sweep(2000)
+        self.assertEqual(sorted(times), ["0.5", "3"])
+        between = 0.5 * sum(times.values())
+        self.assertEqual(len(sweep(between)), 1)
 
     def test_tucks_form_is_the_default_and_keeps_the_speed(self):
         self.solve()

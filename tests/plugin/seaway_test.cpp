@@ -85,6 +85,38 @@ TEST(Seaway, RefusesSolversThatGetAddedMassWrong) {
   plain.world.setConstraintSolver(&plain.solver);
 }
 
+// A bit that two ships raise counts once a tick.
+TEST(Seaway, SaysWhenAFaultWasRaisedFirstAndInHowManyTicks) {
+  TestWorld plain(kSphereGravity);
+  Seaway seaway(plain.world);
+  btSphereShape shape(5);
+  Ship& ship = seaway.addShip(hemisphere(), {.collision = {.shape = &shape}});
+  Ship& other = seaway.addShip(hemisphere(), {.start = {.x = 50}, .collision = {.shape = &shape}});
+  run(plain.world, 10);
+  EXPECT_EQ(seaway.faultCount(kBodyNotInWorld).ticks, 0u);
+  const auto lose = [&](int ticks) {
+    for (Ship* each : {&ship, &other}) plain.world.removeRigidBody(&each->body());
+    run(plain.world, ticks);
+    for (Ship* each : {&ship, &other}) plain.world.addRigidBody(&each->body());
+  };
+  lose(3);
+  run(plain.world, 4);
+  lose(2);
+  run(plain.world, 1);
+  EXPECT_EQ(seaway.faults(), kBodyNotInWorld);
+  EXPECT_EQ(seaway.faultCount(kBodyNotInWorld).ticks, 5u);
+  EXPECT_EQ(seaway.faultCount(kBodyNotInWorld).first, 10 * static_cast<double>(kTick));
+  EXPECT_EQ(seaway.faultCount(kLoadNotFinite).ticks, 0u);
+  EXPECT_EQ(seaway.faultCount(kStepOk).ticks, 0u);
+  EXPECT_EQ(seaway.faultCount(static_cast<StepFault>(kBodyNotInWorld | 1u)).ticks, 0u);
+  seaway.clearFaults();
+  EXPECT_EQ(seaway.faultCount(kBodyNotInWorld).ticks, 0u);
+  const double again = seaway.time();
+  lose(1);
+  EXPECT_EQ(seaway.faultCount(kBodyNotInWorld).ticks, 1u);
+  EXPECT_EQ(seaway.faultCount(kBodyNotInWorld).first, again);
+}
+
 struct Calls {
   int before = 0, after = 0, late = 0;
 };

@@ -1,12 +1,39 @@
 #pragma once
-#include <optional>
+#include <algorithm>
+#include <cstddef>
+#include <memory>
 
+#include "demos/cutwater/commands/RunFaults.h"
 #include "demos/cutwater/input/RunFile.h"
 #include "demos/scenes/BulletWorld.h"
 #include "hydro/forces/Hydrodynamics.h"
 #include "plugin/Seaway.h"
 
 namespace cutwater::command {
+
+/// Counts the ticks until a fault that is no warning, and looks how far ships leave their course.
+class GoodTicks final : private TickObserver {
+ public:
+  explicit GoodTicks(Seaway& seaway) : seaway_(seaway) { seaway_.addObserver(*this); }
+  ~GoodTicks() override { seaway_.removeObserver(*this); }
+  GoodTicks(const GoodTicks&) = delete;
+  GoodTicks& operator=(const GoodTicks&) = delete;
+
+  bool broken() const noexcept { return (seaway_.faults() & ~kWarningBits) != 0; }
+  std::size_t count() const noexcept { return count_; }
+  double farthest() const noexcept { return farthest_; }  ///< [m]
+
+ private:
+  void tickDone(const Seaway& seaway) noexcept override {
+    if (broken()) return;
+    ++count_;
+    for (const auto& ship : seaway.ships()) farthest_ = std::max(farthest_, ship->offCourse());
+  }
+
+  Seaway& seaway_;
+  std::size_t count_ = 0;
+  double farthest_ = 0.0;
+};
 
 /// A run's ship in a Bullet world of its own. Not movable: the world holds addresses.
 class RunShip {
@@ -26,12 +53,21 @@ class RunShip {
   void step() {
     bullet_.world.stepSimulation(tick_ * static_cast<btScalar>(substeps_), substeps_ + 1, tick_);
   }
+  /// A tick broke something: to step on makes no sense. Those before it were good.
+  bool broken() const noexcept { return good_.broken(); }
+  std::size_t goodTicks() const noexcept { return good_.count(); }
+  RunFaults faults() {
+    RunFaults run = faultsOf(seaway_, ship_);
+    run.farthest = good_.farthest();
+    return run;
+  }
   Seaway& seaway() { return seaway_; }
   Ship& ship() { return ship_; }
 
  private:
   BulletWorld bullet_;
   Seaway seaway_;
+  GoodTicks good_{seaway_};
   Ship& ship_;
   btScalar tick_;
   int substeps_;
@@ -40,9 +76,5 @@ class RunShip {
 /// The run's ship, to be shared by the worlds of the run; may cut the run's spectrum.
 /// @throws HydroError as readShipOfRun; naming the database, if it is unfinished.
 std::shared_ptr<const Hydrodynamics> hydrodynamicsOf(RunFile& run);
-
-/// One line for the faults of a run, naming the part of the load that broke; empty if there were
-/// none.
-std::string describeFaults(RunShip& run);
 
 }  // namespace cutwater::command

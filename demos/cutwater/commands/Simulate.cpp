@@ -73,9 +73,18 @@ std::size_t rowsOf(const RunFile& run, std::size_t columns) {
   return static_cast<std::size_t>(rows);
 }
 
-void warnOfTheory(RunShip& run, const std::string& path) {
-  if ((run.seaway().faults() & kSpeedOutsideTheory) != 0)
-    warn(path + ": the ship made a speed at which its own motions grow: outside the theory");
+// Rows of the ticks before the one that broke are kept.
+void writeRows(const RunFile& run, const Recorder& recorder, RunShip& world,
+               const std::string& out) {
+  const RunFaults faults = world.faults();
+  const std::size_t rows = world.broken() ? world.goodTicks() : recorder.rows();
+  writeText(recorder.csv(rows), out);
+  for (const std::string& line : warningLines({faults})) warn(run.path + ": " + line);
+  if (!world.broken()) return;
+  throw HydroError(
+      Fault::ValueOutOfRange,
+      fmt::format("{}: {}; the run ended there, {} row{} before it {} written", run.path,
+                  brokenLine(faults), rows, rows == 1 ? "" : "s", rows == 1 ? "is" : "are"));
 }
 
 }  // namespace
@@ -88,24 +97,6 @@ std::shared_ptr<const Hydrodynamics> hydrodynamicsOf(RunFile& run) {
          [&] { ship = std::make_shared<const Hydrodynamics>(std::move(coefficients)); });
   naming(run.path, [&] { checkStability(run, *ship); });
   return ship;
-}
-
-std::string describeFaults(RunShip& run) {
-  const std::uint32_t faults = run.seaway().faults();
-  const std::string part = run.ship().brokenPart();
-  std::string line;
-  const auto add = [&](StepFault bit, const std::string& what) {
-    if ((faults & bit) != 0) line += (line.empty() ? "" : "; ") + what;
-  };
-  add(kLoadNotFinite,
-      "a load was not finite and was not applied" + (part.empty() ? "" : " (" + part + ")"));
-  add(kStateNotFinite, "the ship's position or velocity was not finite");
-  add(kTickLengthChanged, "the tick length changed");
-  add(kTickNotPositive, "a tick was not above 0 s");
-  add(kBodyNotInWorld, "the ship's body left the world");
-  add(kCallbackReplaced, "the world's pre-tick callback was overwritten");
-  add(kSolverNotSupported, "the solver cannot carry added mass");
-  return line;
 }
 
 void simulate(const std::string& path, bool forces, const std::string& out) {
@@ -124,14 +115,11 @@ void simulate(const std::string& path, bool forces, const std::string& out) {
   const std::size_t rows = rowsOf(run, recorder.columns().size());
   Progress progress("simulate");
   recorder.reserve(rows + static_cast<std::size_t>(run.substeps));
-  while (recorder.rows() < rows) {
+  while (recorder.rows() < rows && !world.broken()) {
     world.step();
     progress.show(static_cast<int>(std::min(recorder.rows(), rows)), static_cast<int>(rows));
   }
-  const std::string faults = describeFaults(world);
-  if (!faults.empty()) throw HydroError(Fault::ValueOutOfRange, path + ": " + faults);
-  writeText(recorder.csv(), out);
-  warnOfTheory(world, path);
+  writeRows(run, recorder, world, out);
   if (forces) printParts(recorder, world.ship());
 }
 

@@ -25,29 +25,35 @@ double encounterOf(const RunFile& run, const Coefficients& coefficients, std::si
                             coefficients.ship.gravity);
 }
 
+// What one wave gave.
+struct WaveRun {
+  CVec6 amplitude = CVec6::Constant(Complex(std::nan(""), std::nan("")));  // of a run that broke
+  RunFaults faults{};
+};
+
 // Motions in one regular wave, per metre and relative to the wave's crest at G, fitted over the
 // second half.
-CVec6 motionInBullet(const RunFile& run, const std::shared_ptr<const Hydrodynamics>& ship,
-                     std::size_t index) {
+WaveRun motionInBullet(const RunFile& run, const std::shared_ptr<const Hydrodynamics>& ship,
+                       std::size_t index) {
   const double omegaE = encounterOf(run, ship->coefficients(), index);
   RunShip world(run, ship, index);
   std::vector<double> time;
   std::array<std::vector<double>, 6> motion;
-  while (world.seaway().time() < run.duration) {
+  while (world.seaway().time() < run.duration && !world.broken()) {
     world.step();
     if (world.seaway().time() < 0.5 * run.duration) continue;
     time.push_back(world.seaway().time());
     const Vec6 eta = world.ship().motion();
     for (std::size_t j = 0; j < 6; ++j) motion[j].push_back(eta[static_cast<int>(j)]);
   }
-  const std::string faults = describeFaults(world);
-  if (!faults.empty()) throw HydroError(Fault::ValueOutOfRange, faults);
-  CVec6 amplitude;
+  WaveRun result{.faults = world.faults()};
+  result.faults.of = "omega = " + csvNumber(run.omega[index]);
+  if (world.broken()) return result;
   const Complex unit = std::polar(run.amplitude, run.phase);
   for (std::size_t j = 0; j < 6; ++j) {
-    amplitude[static_cast<int>(j)] = harmonicFit(omegaE, time, motion[j]) / unit;
+    result.amplitude[static_cast<int>(j)] = harmonicFit(omegaE, time, motion[j]) / unit;
   }
-  return amplitude;
+  return result;
 }
 
 void check(const RunFile& run) {
@@ -86,9 +92,9 @@ void keepWhatCanBeMet(RunFile& run, const Coefficients& coefficients) {
 }
 
 // Every wave in a Bullet world of its own, waves shared among threads.
-std::vector<CVec6> runAll(const RunFile& run, const std::shared_ptr<const Hydrodynamics>& ship,
-                          int threads) {
-  std::vector<CVec6> results(run.omega.size());
+std::vector<WaveRun> runAll(const RunFile& run, const std::shared_ptr<const Hydrodynamics>& ship,
+                            int threads) {
+  std::vector<WaveRun> results(run.omega.size());
   std::atomic<int> done{0};
   Progress progress("sweep");
   parallelFor(results.size(), threads, [&](std::size_t i) {
@@ -96,6 +102,19 @@ std::vector<CVec6> runAll(const RunFile& run, const std::shared_ptr<const Hydrod
     progress.show(++done, static_cast<int>(results.size()));
   });
   return results;
+}
+
+// Warns of all runs together; ends the command if one broke.
+void tellFaults(const std::string& path, const std::vector<WaveRun>& waves) {
+  std::vector<RunFaults> runs;
+  for (const WaveRun& wave : waves) runs.push_back(wave.faults);
+  for (const std::string& line : warningLines(runs)) warn(path + ": " + line);
+  std::string broken;
+  for (const RunFaults& run : runs) {
+    if (run.broken()) broken += (broken.empty() ? ": " : "; ") + brokenLine(run);
+  }
+  if (broken.empty()) return;
+  throw HydroError(Fault::ValueOutOfRange, path + broken + "; written as nan, the others are good");
 }
 
 }  // namespace
@@ -113,18 +132,20 @@ void sweep(const std::string& path, int threads, const std::string& out) {
       2.0 * 7.0 * 8.0 * ticks *
           static_cast<double>(std::min(workersFor(threads), run.omega.size())));
   const FrequencyResponse response(coefficients, run.model.restrained);
-  std::vector<CVec6> inTime;
-  naming(path, [&] { inTime = runAll(run, ship, threads); });
+  std::vector<WaveRun> waves;
+  naming(path, [&] { waves = runAll(run, ship, threads); });
   Csv csv("omega,omega_e,j,time_amplitude,time_phase_deg,freq_amplitude,freq_phase_deg");
   for (std::size_t i = 0; i < run.omega.size(); ++i) {
     const CVec6 frequency = response.at(run.omega[i], run.heading, run.start.speed);
     const double omegaE = encounterOf(run, coefficients, i);
+    const CVec6& inTime = waves[i].amplitude;
     for (int j = 0; j < 6; ++j) {
-      csv.row({run.omega[i], omegaE, j + 1.0, std::abs(inTime[i][j]), phaseDegrees(inTime[i][j]),
+      csv.row({run.omega[i], omegaE, j + 1.0, std::abs(inTime[j]), phaseDegrees(inTime[j]),
                std::abs(frequency[j]), phaseDegrees(frequency[j])});
     }
   }
   csv.write(out);
+  tellFaults(path, waves);
 }
 
 }  // namespace cutwater::command

@@ -128,7 +128,8 @@ void WaveForce::save(std::span<double> state) const noexcept {
 
 bool WaveForce::fits(std::span<const double> state) const noexcept {
   const auto count = static_cast<double>(std::max<std::size_t>(1, madeFor_.size()));
-  return state.size() == stateSize() && state[0] >= 0.0 && state[0] < count;
+  return state.size() == stateSize() && state[0] >= 0.0 && state[0] < count &&
+         std::all_of(state.begin(), state.end(), [](double x) { return std::isfinite(x); });
 }
 
 void WaveForce::restore(std::span<const double> state) noexcept {
