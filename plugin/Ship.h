@@ -145,6 +145,15 @@ class Ship {
   /// stepSimulation() was asked for, up to a tick behind position(). The body has a motion state,
   /// its own or yours; without one it is the pose of the last tick.
   btTransform hullTransform() const noexcept;
+  /// Places the file that the hull was read from, as it was drawn (its own axes, unit and origin),
+  /// in the world: draw your model at it. The pose is that of hullTransform(). The scale from the
+  /// file's unit to the world's is in the basis, so that getOpenGLMatrix is right for drawing;
+  /// getRotation is not where the scale is not 1: engines that take a rotation and a scale apart
+  /// divide the basis by modelScale(). Databases that do not know the file
+  /// (ShipParticulars::file) give the hull's axes turned to ours, in metres.
+  btTransform modelTransform() const noexcept;
+  /// Units of the world in one unit of that file.
+  double modelScale() const noexcept;
 
   // The load and its parts.
   /// State and loads of the last tick.

@@ -242,6 +242,7 @@ void takeHull(const RunFile& run, const ShipParticulars& given, ShipParticulars&
       differs("cog", given.cog[i], ship.cog[i]);
   }
   ship.hull = given.hull;
+  ship.file = given.file;
   ship.gyradii = given.gyradii;
 }
 
