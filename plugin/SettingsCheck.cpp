@@ -77,6 +77,12 @@ void checkOrder(const CourseKeeper& order, const char* function) {
 void checkSettings(const ShipSettings& settings, const char* function) {
   checkStart(settings.start, function);
   checkModel(settings.model, function);
+  if (settings.collision.deck && settings.collision.shape != nullptr) {
+    throw HydroError(Fault::BadArgument,
+                     std::string(function) +
+                         ": collision.deck is for the shape made of the ship's own mesh; with "
+                         "collision.shape leave it out");
+  }
 }
 
 CUTWATER_PLUGIN_END
