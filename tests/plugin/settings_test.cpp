@@ -92,6 +92,31 @@ TEST(ShipSettings, EveryFieldIsChecked) {
   EXPECT_EQ(plain.world.getNumConstraints(), 0);
 }
 
+// Degrees given for radians: 90 of a heading, 6 of a roll.
+TEST(ShipSettings, DegreesAreRefused) {
+  TestWorld plain(kSphereGravity);
+  Seaway seaway(plain.world);
+  btSphereShape shape(5);
+  const auto hydro = std::make_shared<const Hydrodynamics>(hemisphere());
+  int angles = 0;
+  for (const Field& field : fields()) {
+    const std::string name = field.name;
+    const bool attitude = name >= "start.offset[3]" && name <= "start.offset[5]";
+    if (!attitude && name != "start.heading" && name != "CourseKeeper::heading") continue;
+    ++angles;
+    ShipSettings settings{.collision = {.shape = &shape}};
+    for (const double degrees : {90.0, -180.0, attitude ? 6.0 : 45.0}) {
+      field.of(settings) = degrees;
+      const std::string said = refusal(seaway, hydro, settings);
+      EXPECT_NE(said.find(name + " = " + (degrees < 0.0 ? "-180" : "")), std::string::npos) << said;
+      EXPECT_NE(said.find("radians; did you mean degrees?"), std::string::npos) << said;
+    }
+    field.of(settings) = attitude ? 180.0 * (kPi / 180.0) : 360.0 * (kPi / 180.0);
+    EXPECT_EQ(refusal(seaway, hydro, settings), "");
+  }
+  EXPECT_EQ(angles, 5);
+}
+
 TEST(ShipSettings, OrdersAndPlacesAreCheckedLater) {
   TestWorld plain(kSphereGravity);
   Seaway seaway(plain.world);
@@ -101,6 +126,9 @@ TEST(ShipSettings, OrdersAndPlacesAreCheckedLater) {
   EXPECT_THROW(ship.keepCourse({.rate = -1.0}), HydroError);
   EXPECT_THROW(ship.placeAt(std::nan(""), 0.0, 0.0), HydroError);
   EXPECT_THROW(ship.placeAt(0.0, 0.0, 0.0, one(Heave, 1e9)), HydroError);
+  EXPECT_THROW(ship.placeAt(0.0, 0.0, 90.0), HydroError);
+  EXPECT_THROW(ship.placeAt(0.0, 0.0, 0.0, one(Roll, 10.0)), HydroError);
+  EXPECT_THROW(ship.keepCourse({.heading = 90.0}), HydroError);
   EXPECT_EQ(ship.position().x(), 0.0);
 }
 
