@@ -132,6 +132,41 @@ TEST(ShipSettings, OrdersAndPlacesAreCheckedLater) {
   EXPECT_EQ(ship.position().x(), 0.0);
 }
 
+// What addShip says of settings with a body of the user's: the model acts, of the start only the
+// speed of a fixed course, and of the shape nothing.
+TEST(ShipSettings, OfABodyOfTheUsersTheModelIsUsed) {
+  for (const Mean mean : {Mean::Fixed, Mean::Filtered}) {
+    TestWorld plain(kSphereGravity);
+    Seaway seaway(plain.world);
+    btSphereShape own(5), other(3);
+    const ShipParticulars& ship = hemisphere().ship;
+    btRigidBody body(btRigidBody::btRigidBodyConstructionInfo(
+        static_cast<btScalar>(ship.mass), nullptr, &own,
+        toBullet(Vec3(ship.mass * ship.gyradii.cwiseAbs2()))));
+    body.setCenterOfMassTransform(btTransform(btQuaternion::getIdentity(), btVector3(7, 8, -2)));
+    body.setLinearVelocity(btVector3(2, 0, 0));
+    plain.world.addRigidBody(&body);
+    ShipSettings settings{.start = {.x = 100.0, .heading = 1.0, .speed = 5.0},
+                          .model = {.mean = mean, .without = {"radiation"}},
+                          .collision = {.shape = &other}};
+    settings.start.offset[Heave] = 1.0;
+    settings.start.velocity[Heave] = 1.0;
+    settings.model.restrained[Sway] = true;
+    settings.model.keepSpeed = {.speed = 2.0};
+    Ship& added = seaway.addShip(hemisphere(), body, settings);
+    EXPECT_EQ(plain.world.getNumConstraints(), 2);  // added mass, and the restraint
+    EXPECT_FALSE(added.enabled("radiation"));
+    EXPECT_EQ(body.getCollisionShape(), &own);
+    EXPECT_EQ(added.position(), Vec3(7, 8, -2));
+    EXPECT_EQ(added.velocity(), one(Surge, 2.0));
+    EXPECT_EQ(added.course().x(), 7.0);
+    EXPECT_EQ(added.course().heading(), 0.0);
+    EXPECT_EQ(added.course().speed(), mean == Mean::Fixed ? 5.0 : 2.0);
+    seaway.removeShip(added);
+    plain.world.removeRigidBody(&body);
+  }
+}
+
 TEST(ShipSettings, OneBodyIsOneShip) {
   TestWorld plain(kSphereGravity);
   Seaway seaway(plain.world);
