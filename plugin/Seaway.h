@@ -73,8 +73,13 @@ class Seaway final {
   Ship& addShip(std::shared_ptr<const Hydrodynamics> hydrodynamics,
                 const ShipSettings& settings = {});
   /// The user's own body, already in the world, origin in G, axes B; the database's mass within
-  /// 0.1 %. Its pose becomes the mean course (x, y, heading). Of `settings.start` only the speed is
-  /// used, of `settings.collision` nothing.
+  /// 0.1 %. It keeps its shape, pose and velocity, and its pose becomes the mean course (x, y,
+  /// heading). Of `settings`
+  ///     model      is used, all of it, as for a body of ours
+  ///     start      speed only, and only with Mean::Fixed: the speed of the mean course. The body
+  ///                is not set in motion: setLinearVelocity before. With Mean::Filtered the course
+  ///                begins at the body's own velocity.
+  ///     collision  is not used
   Ship& addShip(std::shared_ptr<const Hydrodynamics> hydrodynamics, btRigidBody& body,
                 const ShipSettings& settings = {});
   /// The same for one ship that shares with no other: Hydrodynamics of its own are made of

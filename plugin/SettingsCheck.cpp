@@ -5,16 +5,16 @@
 #include <sstream>
 
 #include "hydro/Errors.h"
+#include "hydro/base/Radians.h"
 
 CUTWATER_PLUGIN_BEGIN
 
 namespace {
 
-constexpr double kFarthest = 1e7;     // [m]
-constexpr double kLargestTurn = 1e4;  // [rad]
-constexpr double kFastest = 100.0;    // mean speed [m/s]
-constexpr double kFastestOf = 1e3;    // a velocity beside it [m/s, rad/s]
-constexpr double kLongestOffset = 1e5, kLargestAngle = 4.0 * kPi;
+constexpr double kFarthest = 1e7;       // [m]
+constexpr double kFastest = 100.0;      // mean speed [m/s]
+constexpr double kFastestOf = 1e3;      // a velocity beside it [m/s, rad/s]
+constexpr double kLongestOffset = 1e5;  // [m]
 
 class Check {
  public:
@@ -28,6 +28,9 @@ class Check {
   }
   void within(const std::string& field, double value, double most) const {
     within(field, value, -most, most);
+  }
+  void angle(const std::string& field, double value, double largest) const {
+    requireRadians(std::string(function_) + ": " + group_ + field, value, largest);
   }
 
  private:
@@ -51,11 +54,15 @@ void checkStart(const ShipStart& start, const char* function) {
   const Check check(function, "start.");
   check.within("x", start.x, kFarthest);
   check.within("y", start.y, kFarthest);
-  check.within("heading", start.heading, kLargestTurn);
+  check.angle("heading", start.heading, kTurn);
   check.within("speed", start.speed, kFastest);
   for (int i = 0; i < 6; ++i) {
     const std::string index = "[" + std::to_string(i) + "]";
-    check.within("offset" + index, start.offset[i], i < 3 ? kLongestOffset : kLargestAngle);
+    if (i < 3) {
+      check.within("offset" + index, start.offset[i], kLongestOffset);
+    } else {
+      check.angle("offset" + index, start.offset[i], kHalfTurn);
+    }
     check.within("velocity" + index, start.velocity[i], kFastestOf);
   }
 }
@@ -69,7 +76,7 @@ void checkOrder(const SpeedKeeper& order, const char* function) {
 
 void checkOrder(const CourseKeeper& order, const char* function) {
   const Check check(function, "CourseKeeper::");
-  check.within("heading", order.heading, kLargestTurn);
+  check.angle("heading", order.heading, kTurn);
   check.within("maxMoment", order.maxMoment, 0.0, std::numeric_limits<float>::max());
   check.within("rate", order.rate, 1e-6, 10.0);
 }
@@ -77,6 +84,12 @@ void checkOrder(const CourseKeeper& order, const char* function) {
 void checkSettings(const ShipSettings& settings, const char* function) {
   checkStart(settings.start, function);
   checkModel(settings.model, function);
+  if (settings.collision.deck && settings.collision.shape != nullptr) {
+    throw HydroError(Fault::BadArgument,
+                     std::string(function) +
+                         ": collision.deck is for the shape made of the ship's own mesh; with "
+                         "collision.shape leave it out");
+  }
 }
 
 CUTWATER_PLUGIN_END

@@ -68,7 +68,7 @@ Ship::~Ship() { leaveWorld(); }
 void Ship::createBody(const CollisionShape& collision) {
   const ShipParticulars& ship = coefficients().ship;
   btCollisionShape* given = collision.shape;
-  if (given == nullptr) hullShape_ = convexHull(ship, frame_);
+  if (given == nullptr) hullShape_ = convexHull(ship, frame_, collision.deck);
   if (given != nullptr && collision.inHullAxes) compound_ = aboutG(*given, ship, frame_);
   rig_->motionState.make(poseAt(Vec6::Zero()));
   rig_->body.make(bodyInfo(ship, frame_,

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,11 +27,22 @@ struct Rig;       // what of a ship stands in the world
 struct ShipPart;  // of the load, with what the ship knows about it
 
 /// What Bullet's contacts work on; hydrodynamics does not look at it.
+///     seaway.addShip(boat, {.collision = {.deck = 1.4}});  // crates and people stay on board
+///
+/// The default shape is the convex hull of the ship's whole mesh, with a margin of 1 % of the half
+/// beam, at most Bullet's own. Whatever stands on the deck in that mesh (masts, wheelhouse, rails)
+/// is in it, and so is all air between its top and bow, stern and sides: things that you put on the
+/// deck are inside the shape then, and are thrown off. With `deck` the shape ends at that height.
+/// What is not convex needs a shape of your own: decks with holds or bulwarks, catamarans.
 struct CollisionShape {
   /// Kept by the user, in the world's units; null: the convex hull of the ship's own mesh.
   btCollisionShape* shape = nullptr;
-  /// The shape is in the axes of the hull file (the file's origin), not about G.
+  /// The shape is in the hull file's axes turned to ours (Ship::hullTransform), not about G.
   bool inHullAxes = false;
+  /// Height of the deck above calm water [m] with the ship at rest: z in hull axes, as the point of
+  /// Ship::pointMotion. Only for the default shape, which is then the convex hull of the mesh below
+  /// that height, flat on top. Above calm water, and not above the mesh.
+  std::optional<double> deck{};
 };
 
 /// A new ship: where it starts, which theory acts on it, and what it collides with.
@@ -145,6 +157,15 @@ class Ship {
   /// stepSimulation() was asked for, up to a tick behind position(). The body has a motion state,
   /// its own or yours; without one it is the pose of the last tick.
   btTransform hullTransform() const noexcept;
+  /// Places the file that the hull was read from, as it was drawn (its own axes, unit and origin),
+  /// in the world: draw your model at it. The pose is that of hullTransform(). The scale from the
+  /// file's unit to the world's is in the basis, so that getOpenGLMatrix is right for drawing;
+  /// getRotation is not where the scale is not 1: engines that take a rotation and a scale apart
+  /// divide the basis by modelScale(). Databases that do not know the file
+  /// (ShipParticulars::file) give the hull's axes turned to ours, in metres.
+  btTransform modelTransform() const noexcept;
+  /// Units of the world in one unit of that file.
+  double modelScale() const noexcept;
 
   // The load and its parts.
   /// State and loads of the last tick.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hydro/Errors.h"
+#include "hydro/geometry/MeshCut.h"
 
 CUTWATER_PLUGIN_BEGIN
 
@@ -18,13 +19,36 @@ void requirePositive(double value, const char* what) {
                                                " is not positive: " + std::to_string(value));
 }
 
+constexpr double kMarginOfHalfBeam = 0.01;
+
+void requireDeck(double deck, double top) {
+  if (deck > 0.0 && deck <= top) return;
+  throw HydroError(Fault::ValueOutOfRange,
+                   "Seaway::addShip: collision.deck = " + std::to_string(deck) +
+                       " m: must be above calm water, 0 m, and at most at the top of the hull's "
+                       "mesh, " +
+                       std::to_string(top) + " m");
+}
+
+// What is below the deck: vertices, and the points where edges cross it.
+std::vector<Vec3> pointsBelow(const SurfaceMesh& hull, double deck) {
+  requireDeck(deck, bounds(hull).high.z());
+  std::vector<Vec3> points = cutBelow(hull, {Vec3::UnitZ(), deck}).vertices;
+  if (!points.empty()) return points;
+  throw HydroError(Fault::DatabaseIncomplete,
+                   "Seaway::addShip: the database's hull has no faces to cut at collision.deck");
+}
+
 // All vertices in B: of the closed hull, or of the panels where a file has nothing else.
-std::vector<Vec3> hullPoints(const ShipParticulars& ship) {
+std::vector<Vec3> hullPoints(const ShipParticulars& ship, std::optional<double> deck) {
   const bool closed = !ship.hull.vertices.empty();
   std::vector<Vec3> points = closed ? ship.hull.vertices : ship.wetSurface.vertices;
   if (points.empty()) {
     throw HydroError(Fault::DatabaseIncomplete,
                      "Seaway::addShip: the database has no hull; give ShipSettings::shape");
+  }
+  if (deck) {
+    points = pointsBelow(closed ? ship.hull : ship.wetSurface, *deck);
   }
   if (!closed && ship.symmetric) {
     const std::size_t half = points.size();
@@ -55,8 +79,9 @@ std::set<std::size_t> farthest(const std::vector<Vec3>& points, const Vec3& exte
 
 }  // namespace
 
-std::unique_ptr<btCollisionShape> convexHull(const ShipParticulars& ship, const WorldFrame& frame) {
-  const std::vector<Vec3> points = hullPoints(ship);
+std::unique_ptr<btCollisionShape> convexHull(const ShipParticulars& ship, const WorldFrame& frame,
+                                             std::optional<double> deck) {
+  const std::vector<Vec3> points = hullPoints(ship, deck);
   Vec3 low = points[0], high = points[0];
   for (const Vec3& point : points) {
     low = low.cwiseMin(point);
@@ -64,6 +89,8 @@ std::unique_ptr<btCollisionShape> convexHull(const ShipParticulars& ship, const 
   }
   const Vec3 extent = (high - low).cwiseMax(1e-3);
   auto shape = std::make_unique<btConvexHullShape>();
+  const double margin = kMarginOfHalfBeam * 0.5 * extent.y() / frame.metresPerUnit;
+  shape->setMargin(std::min(shape->getMargin(), static_cast<btScalar>(margin)));
   for (const std::size_t i : farthest(points, extent)) {
     shape->addPoint(frame.length(points[i]), false);
   }

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "hydro/database/Coefficients.h"
 #include "plugin/WorldFrame.h"
@@ -10,9 +11,13 @@ CUTWATER_PLUGIN_BEGIN
 
 /// Convex hull of the ship's mesh in B (origin in G), of at most some forty of its vertices, taken
 /// in directions spread evenly over its bounding box, so that a slender hull keeps its ends.
-/// Bullet's collision margin, 0.04 units, is added to it in contacts.
-/// @throws HydroError DatabaseIncomplete: the database has no mesh.
-std::unique_ptr<btCollisionShape> convexHull(const ShipParticulars& ship, const WorldFrame& frame);
+/// Its collision margin, which contacts add to it, is 1 % of the half beam, and never more than
+/// Bullet's default of 0.04 units.
+/// @param deck  only what of the mesh is below this height above calm water [m]; flat there.
+/// @throws HydroError DatabaseIncomplete: the database has no mesh; ValueOutOfRange: a deck that is
+///         not between calm water and the top of the mesh.
+std::unique_ptr<btCollisionShape> convexHull(const ShipParticulars& ship, const WorldFrame& frame,
+                                             std::optional<double> deck = {});
 
 /// A shape given in the hull file's axes, moved to G; `shape` must outlive it.
 std::unique_ptr<btCollisionShape> aboutG(btCollisionShape& shape, const ShipParticulars& ship,

@@ -142,6 +142,17 @@ btTransform Ship::poseAt(const Vec6& offset) const noexcept {
                      frame_.place(mean + course * offset.head<3>()));
 }
 
+double Ship::modelScale() const noexcept {
+  return coefficients().ship.file.metresPerUnit / frame_.metresPerUnit;
+}
+
+btTransform Ship::modelTransform() const noexcept {
+  const FilePlacement& file = coefficients().ship.file;
+  const btTransform inHull(toBulletBasis(modelScale() * file.rotation),
+                           toBullet(Vec3(file.origin / frame_.metresPerUnit)));
+  return hullTransform() * inHull;
+}
+
 void Ship::resetVelocity(const Vec3& linear, const Vec3& angular) noexcept {
   body_->setLinearVelocity(frame_.length(linear));
   body_->setAngularVelocity(frame_.direction(angular));

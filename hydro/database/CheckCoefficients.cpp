@@ -84,6 +84,25 @@ class Check {
     }
   }
 
+  /// A rotation and a scale: what is mirrored or sheared is no file's axes. 1e-6: rotations that
+  /// somebody rounded pass.
+  void file() const {
+    const FilePlacement& file = c_.ship.file;
+    const double off =
+        (file.rotation * file.rotation.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff();
+    const char* why = nullptr;
+    if (!(off <= 1e-6)) why = "its axes are not at right angles or not of length 1";
+    if (why == nullptr && file.rotation.determinant() < 0.0) why = "its axes are mirrored";
+    if (why != nullptr) {
+      throw HydroError(Fault::ValueOutOfRange,
+                       fmt::format("{}: ship/file/rotation is no rotation: {}", where_, why));
+    }
+    if (file.metresPerUnit > 0.0) return;
+    throw HydroError(Fault::ValueOutOfRange,
+                     fmt::format("{}: ship/file/metres_per_unit = {}, must be above 0", where_,
+                                 file.metresPerUnit));
+  }
+
   void mesh(const SurfaceMesh& mesh, const char* name) const {
     const auto count = static_cast<int>(mesh.vertices.size());
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -135,6 +154,7 @@ void checkCoefficients(const Coefficients& c, const std::string& where) {
   check.table();
   check.mask();
   check.status();
+  check.file();
   check.mesh(c.ship.hull, "hull");
   check.mesh(c.ship.wetSurface, "wet surface");
   if (!(c.ship.density > 0.0 && c.ship.gravity > 0.0)) {

@@ -268,6 +268,14 @@ void writeStability(Store&& store, const SpeedStability& s) {
   store("stability/course", s.course.value_or(-1.0));
 }
 
+/// What version 6 added: how the hull's file lies in hull axes.
+template <class Store, class C>
+void transferFile(Store&& store, C& c) {
+  store("ship/file/rotation", c.ship.file.rotation);
+  store("ship/file/metres_per_unit", c.ship.file.metresPerUnit);
+  store("ship/file/origin", c.ship.file.origin);
+}
+
 SpeedStability readStability(GroupReader& store) {
   SpeedStability s;
   const auto speed = [](double stored) {
@@ -307,7 +315,7 @@ class FiniteCheck {
   FiniteCheck(std::string where, const std::vector<double>& omega)
       : where_(std::move(where)), omega_(omega) {}
   template <class T>
-  void operator()(const std::string& name, const T& value) {
+  void operator()(const std::string& name, const T& value) const {
     std::vector<double> data;
     pack(value, data);
     const auto bad =
@@ -317,10 +325,10 @@ class FiniteCheck {
     throw HydroError(Fault::ValueOutOfRange, fmt::format("{}: {}{} is {}", where_, name,
                                                          placeIn(shapeOf(value), at), *bad));
   }
-  void operator()(const std::string&, const bool&) {}
-  void operator()(const std::string&, const PanelShape&) {}
-  void operator()(const std::string&, const std::string&) {}
-  void operator()(const std::string&, const ForwardSpeedForm&) {}
+  void operator()(const std::string&, const bool&) const {}
+  void operator()(const std::string&, const PanelShape&) const {}
+  void operator()(const std::string&, const std::string&) const {}
+  void operator()(const std::string&, const ForwardSpeedForm&) const {}
 
  private:
   /// The indices of number `at`, from 0, and what they mean where it is known: the frequency, and
@@ -349,6 +357,7 @@ void writeCutwaterGroup(hdf5::Writer& writer, const Coefficients& coefficients) 
   transfer(store, coefficients);
   transferStatus(store, coefficients);
   writeStability(store, coefficients.stability);
+  transferFile(store, coefficients);
 }
 
 Coefficients readCutwaterGroup(const hdf5::Reader& reader, std::int64_t version) {
@@ -361,11 +370,14 @@ Coefficients readCutwaterGroup(const hdf5::Reader& reader, std::int64_t version)
     deduceStatus(coefficients);
   }
   if (version >= 4) coefficients.stability = readStability(store);
+  if (version >= 6) transferFile(store, coefficients);
   return coefficients;
 }
 
 void checkFinite(const Coefficients& coefficients, const std::string& where) {
-  transfer(FiniteCheck(where, coefficients.omega), coefficients);
+  const FiniteCheck check(where, coefficients.omega);
+  transfer(check, coefficients);
+  transferFile(check, coefficients);
 }
 
 }  // namespace cutwater

@@ -181,26 +181,6 @@ void checkPose(const MeshReadOptions& o) {
   if (!(std::abs(o.heelDeg) < 90.0)) refuse("heel_deg", o.heelDeg, "below 90 either way");
 }
 
-/// File axes → hull axes, in place.
-void turnToHullAxes(SurfaceMesh& mesh, const MeshReadOptions& o) {
-  const Vec3 up = axis(o.up, "up"), forward = axis(o.forward, "forward");
-  if (up.dot(forward) != 0.0)
-    throw HydroError(Fault::BadArgument,
-                     "up = \"" + o.up + "\" and forward = \"" + o.forward + "\" are the same axis");
-  const double scale = metresPer(o.unit);
-  checkPose(o);
-  Mat3 turn;
-  turn << forward, up.cross(forward), up;
-  const bool level = o.trimDeg == 0.0 && o.heelDeg == 0.0;
-  const Mat3 pose = (Eigen::AngleAxisd(o.trimDeg * kPi / 180, Vec3::UnitY()) *
-                     Eigen::AngleAxisd(o.heelDeg * kPi / 180, Vec3::UnitX()))
-                        .toRotationMatrix();
-  for (Vec3& p : mesh.vertices) {
-    p = scale * (turn.transpose() * p - o.waterline * Vec3::UnitZ());
-    if (!level) p = pose * p;
-  }
-}
-
 SurfaceMesh readFaces(const std::string& path, bool anyFormat, bool& mirrored) {
   checkFile(path);
   const std::string format = ending(path);
@@ -237,14 +217,16 @@ Symmetry symmetryFrom(const std::string& name) {
 struct TurnedSurface {
   SurfaceMesh mesh;  ///< in hull axes
   Symmetry symmetry;
+  FilePlacement file;
 };
 
 TurnedSurface readTurned(const std::string& path, const MeshReadOptions& options) {
-  TurnedSurface read{{}, symmetryFrom(options.symmetric)};
+  TurnedSurface read{{}, symmetryFrom(options.symmetric), {}};
   bool mirrored = false;
   read.mesh = readFaces(path, options.anyFormat, mirrored);
   if (read.mesh.faces.empty()) throw HydroError(Fault::MeshEmpty, path + ": no faces");
-  turnToHullAxes(read.mesh, options);
+  read.file = filePlacement(options);
+  for (Vec3& p : read.mesh.vertices) p = read.file.toHull(p);
   // A GDF file with ISY = 1 holds a half, but its reader has added the other already.
   if (mirrored && read.symmetry == Symmetry::Half) read.symmetry = Symmetry::Auto;
   return read;
@@ -252,18 +234,40 @@ TurnedSurface readTurned(const std::string& path, const MeshReadOptions& options
 
 }  // namespace
 
+FilePlacement filePlacement(const MeshReadOptions& o) {
+  const Vec3 up = axis(o.up, "up"), forward = axis(o.forward, "forward");
+  if (up.dot(forward) != 0.0)
+    throw HydroError(Fault::BadArgument,
+                     "up = \"" + o.up + "\" and forward = \"" + o.forward + "\" are the same axis");
+  FilePlacement file;
+  file.metresPerUnit = metresPer(o.unit);
+  checkPose(o);
+  Mat3 turn;
+  turn << forward, up.cross(forward), up;
+  const Mat3 pose = (Eigen::AngleAxisd(o.trimDeg * kPi / 180, Vec3::UnitY()) *
+                     Eigen::AngleAxisd(o.heelDeg * kPi / 180, Vec3::UnitX()))
+                        .toRotationMatrix();
+  file.rotation = pose * turn.transpose();
+  file.origin = pose * (-file.metresPerUnit * o.waterline * Vec3::UnitZ());
+  return file;
+}
+
 SurfaceMesh readSurface(const std::string& path, const MeshReadOptions& options) {
   return readTurned(path, options).mesh;
 }
 
 Hull readHull(const std::string& path, const MeshReadOptions& options) {
   const TurnedSurface read = readTurned(path, options);
-  return makeHull(read.mesh, path, read.symmetry);
+  Hull hull = makeHull(read.mesh, path, read.symmetry);
+  hull.file = read.file;
+  return hull;
 }
 
 RepairedHull readRepaired(const std::string& path, const MeshReadOptions& options) {
   const TurnedSurface read = readTurned(path, options);
-  return repairedHull(read.mesh, path, read.symmetry);
+  RepairedHull repaired = repairedHull(read.mesh, path, read.symmetry);
+  repaired.hull.file = read.file;
+  return repaired;
 }
 
 }  // namespace cutwater

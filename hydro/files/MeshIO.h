@@ -20,6 +20,12 @@ struct MeshReadOptions {
   std::string symmetric = "auto";  ///< "auto", "none" or "half"
 };
 
+/// How a file's own axes lie in hull axes with these options; readHull and readRepaired note it in
+/// Hull::file. The file's own axes are those after its scene nodes are placed and, in COLLADA, its
+/// <unit> is turned to metres, as engines do when they load such a file.
+/// @throws HydroError BadArgument, ValueOutOfRange, naming the option.
+FilePlacement filePlacement(const MeshReadOptions& options);
+
 /// The faces of a file in hull axes, before any check of the hull: x forward, y port, z up from
 /// calm water. By the file's ending (any case): .obj .stl (binary or text) .ply .gltf .glb .off
 /// .dae .gdf (WAMIT, low order, its symmetries applied). Quadrilaterals stay; polygons of more

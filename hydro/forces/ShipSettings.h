@@ -23,10 +23,10 @@ enum class MemoryModel {
 
 /// Where a ship starts. SI units and E (z up) whatever the world's are.
 struct ShipStart {
-  double x = 0.0, y = 0.0;       ///< mean place of G in E [m]
-  double heading = 0.0;          ///< mean heading [rad]: angle of the bow from E's x axis, about +z
-  double speed = 0.0;            ///< U [m/s] along the mean heading
-  Vec6 offset = Vec6::Zero();    ///< from the mean course, in H [m]; roll, pitch, yaw [rad]
+  double x = 0.0, y = 0.0;     ///< mean place of G in E [m]
+  double heading = 0.0;        ///< mean heading [rad], −2π..2π: of the bow from E's x, about +z
+  double speed = 0.0;          ///< U [m/s] along the mean heading
+  Vec6 offset = Vec6::Zero();  ///< from the mean course, in H [m]; roll, pitch, yaw [rad], −π..π
   Vec6 velocity = Vec6::Zero();  ///< beside U: u, v, w [m/s], p, q, r [rad/s] in B
 };
 
@@ -44,7 +44,7 @@ struct SpeedKeeper {
 ///     k = I'ν² + U² A_22(∞),   |N| ≤ limit
 /// The last term of k acts against the Munk moment that turns a hull without rudder broadside on.
 struct CourseKeeper {
-  double heading = 0.0;    ///< wanted [rad], angle of the bow from E's x axis, about +z
+  double heading = 0.0;    ///< wanted [rad], −2π..2π: of the bow from E's x axis, about +z
   double maxMoment = 0.0;  ///< [N·m]; 0: 2 % of weight times length
   double rate = 0.1;       ///< ν [1/s]
 };

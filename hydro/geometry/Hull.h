@@ -10,9 +10,10 @@ namespace cutwater {
 ///     const Hull hull = makeHull(readSurface("frigate.obj"), "frigate.obj", Symmetry::Auto);
 ///     const SurfaceMesh wet = wetSurface(hull);
 struct Hull {
-  SurfaceMesh surface;     ///< both sides, vertices shared, normals out of the hull
-  bool symmetric = false;  ///< the part in the water is its own mirror image in y = 0
-  bool closed = false;     ///< above water as well: fit for nonlinear buoyancy
+  SurfaceMesh surface;      ///< both sides, vertices shared, normals out of the hull
+  bool symmetric = false;   ///< the part in the water is its own mirror image in y = 0
+  bool closed = false;      ///< above water as well: fit for nonlinear buoyancy
+  FilePlacement file = {};  ///< of a hull that was read from a file (files/MeshIO.h)
 };
 
 /// What the user says about port and starboard.

@@ -31,6 +31,15 @@ struct SurfaceMesh {
   }
 };
 
+/// How the axes of the file that a mesh was read from lie in hull axes:
+///     p in hull axes [m] = metresPerUnit · rotation · p in the file + origin
+struct FilePlacement {
+  Mat3 rotation = Mat3::Identity();  ///< its rows: forward, port and up in the file's axes
+  double metresPerUnit = 1.0;        ///< [m] in one unit of the file
+  Vec3 origin = Vec3::Zero();        ///< the file's origin in hull axes [m]
+  Vec3 toHull(const Vec3& inFile) const { return metresPerUnit * (rotation * inFile) + origin; }
+};
+
 /// How the solver's panels stand to the faces of a mesh (panels/SolverPanels.h). A database holds
 /// these numbers, so that its panels can be made again.
 enum class PanelShape {

@@ -3,7 +3,7 @@
 namespace cutwater {
 
 PanelledHull panelledAsItIs(const Hull& hull) {
-  return {hull.surface, wetSurface(hull), hull.symmetric};
+  return {hull.surface, wetSurface(hull), hull.symmetric, hull.file};
 }
 
 SurfaceMesh wholeWet(const PanelledHull& hull) {
@@ -35,6 +35,7 @@ Afloat afloat(const PanelledHull& hull, const Loading& loading, const Water& wat
   ship.hull = hull.surface;
   ship.wetSurface = hull.panels;
   ship.symmetric = hull.symmetric;
+  ship.file = hull.file;
   ship.mass = loading.mass.value_or(h.displacement);
   ship.cog = cog;
   ship.gyradii = loading.gyradii.value_or(Vec3(0.35 * h.beam, 0.25 * h.length, 0.25 * h.length));

@@ -12,6 +12,7 @@ struct PanelledHull {
   SurfaceMesh surface;  ///< both sides, wet and dry; empty: the ship has no hull, only panels
   SurfaceMesh panels;   ///< of the port half if symmetric, else of both sides
   bool symmetric = false;
+  FilePlacement file = {};  ///< Hull::file
 };
 /// A hull whose own faces below water are the panels.
 PanelledHull panelledAsItIs(const Hull& hull);

@@ -26,6 +26,10 @@ struct ShipParticulars {
   SurfaceMesh hull;        ///< closed hull [m], normals out; empty in a plain BEMIO file
   SurfaceMesh wetSurface;  ///< the solver's panels before flattening; port half if symmetric
   bool symmetric = false;
+  /// Axes, unit and origin of the file that the hull was read from, so that a program can draw that
+  /// file where the ship is. Hull axes themselves if that is not known: hulls that were not read
+  /// from a file, databases of format 5 and before, databases of other codes.
+  FilePlacement file;
   double mass = 0.0;            ///< [kg]
   Vec3 cog = Vec3::Zero();      ///< centre of gravity G [m]
   Vec3 gyradii = Vec3::Ones();  ///< roll, pitch, yaw, about G [m]

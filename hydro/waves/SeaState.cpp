@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
+#include "hydro/base/Radians.h"
 #include "hydro/base/SimdMath.h"
 
 namespace cutwater {
@@ -38,7 +39,7 @@ SeaState::SeaState(std::vector<WaveComponent> components, double gravity, double
     check(c.omega > 0.0 && std::isfinite(c.omega), i, "omega", c.omega);
     check(c.amplitude >= 0.0 && std::isfinite(c.amplitude), i, "amplitude", c.amplitude);
     check(std::isfinite(c.phase), i, "phase", c.phase);
-    check(std::isfinite(c.heading), i, "heading", c.heading);
+    requireRadians("SeaState: component " + std::to_string(i) + ": heading", c.heading, kTurn);
     waveNumber_.push_back(c.omega * c.omega / gravity);
   }
   blocks_.resize((components_.size() + 3) / 4);

@@ -18,7 +18,7 @@ struct WaveComponent {
   double omega = 0.0;      ///< ω_I [rad/s] > 0
   double amplitude = 0.0;  ///< a [m]
   double phase = 0.0;      ///< ε [rad]
-  double heading = 0.0;    ///< β [rad]: travels towards (cos β, −sin β) in E
+  double heading = 0.0;    ///< β [rad], −2π..2π: travels towards (cos β, −sin β) in E
 };
 
 /// e^{iθ} of four waves, θ = ωt − k(x cos β − y sin β) + ε: what every linear wave load is a sum

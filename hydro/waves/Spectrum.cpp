@@ -7,6 +7,7 @@
 #include <string>
 
 #include "hydro/Errors.h"
+#include "hydro/base/Radians.h"
 
 namespace cutwater {
 
@@ -74,13 +75,18 @@ double spreadAngle(std::mt19937_64& random, double s) {
   }
 }
 
+// The same direction, within a turn.
+double withinATurn(double heading) {
+  return std::abs(heading) <= kTurn ? heading : std::remainder(heading, 2.0 * kPi);
+}
+
 void check(const SeaStateSettings& s, double from, double to) {
   // NaN would be taken for "not given".
   require(s.omegaMin >= 0.0, "omega_min", s.omegaMin);
   require(s.omegaMax >= 0.0, "omega_max", s.omegaMax);
   require(s.components >= 1 && s.components <= 1000000, "components", s.components);
   require(s.spreading >= 0.0 && s.spreading <= 1000.0, "spreading", s.spreading);
-  require(std::isfinite(s.heading), "heading", s.heading);
+  requireRadians("Spectrum: heading", s.heading, kTurn);
   require(from > 0.0 && std::isfinite(from), "omega_min", from);
   require(to > from && std::isfinite(to), "omega_max", to);
 }
@@ -136,7 +142,9 @@ SeaState makeSeaState(const Spectrum& spectrum, const SeaStateSettings& settings
     components[i].amplitude = std::sqrt(2.0 * energy);
     components[i].phase = 2.0 * kPi * uniform(random);
     components[i].heading = settings.heading;
-    if (settings.spreading > 0.0) components[i].heading += spreadAngle(random, settings.spreading);
+    if (settings.spreading > 0.0)
+      components[i].heading =
+          withinATurn(settings.heading + spreadAngle(random, settings.spreading));
   }
   return SeaState(std::move(components), spectrum.gravity, settings.ramp);
 }

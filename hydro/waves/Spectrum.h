@@ -34,7 +34,7 @@ struct Spectrum {
 /// How a spectrum becomes a sum of regular waves. The same numbers give the same sea on every
 /// machine.
 struct SeaStateSettings {
-  double heading = 0.0;    ///< mean β [rad]
+  double heading = 0.0;    ///< mean β [rad], −2π..2π
   double spreading = 0.0;  ///< s of D(θ) ∝ cos^{2s}(θ/2); 0 = long-crested
   int components = 200;    ///< ≥ 1
   std::uint64_t seed = 1;

@@ -22,6 +22,9 @@ inline Coefficients sampleShip() {
   c.ship.wetSurface.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, -1}};
   c.ship.wetSurface.faces = {{{0, 1, 2, -1}}, {{2, 1, 0, -1}}};
   c.ship.symmetric = true;
+  c.ship.file.rotation << 0, 0, -1, -1, 0, 0, 0, 1, 0;
+  c.ship.file.metresPerUnit = 0.01;
+  c.ship.file.origin = {0.0, 0.0, -3.7};
   c.ship.mass = 4.9e6;
   c.ship.cog = {-2.42, 0.3, 1.29};
   c.ship.gyradii = {5.82, 28.8, 28.9};

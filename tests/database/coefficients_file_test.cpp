@@ -46,6 +46,9 @@ void expectSame(const Coefficients& a, const Coefficients& b) {
   EXPECT_EQ(a.ship.mass, b.ship.mass);
   EXPECT_TRUE(sameBits(a.ship.cog, b.ship.cog));
   EXPECT_TRUE(sameBits(a.ship.gyradii, b.ship.gyradii));
+  EXPECT_TRUE(sameBits(a.ship.file.rotation, b.ship.file.rotation));
+  EXPECT_EQ(a.ship.file.metresPerUnit, b.ship.file.metresPerUnit);
+  EXPECT_TRUE(sameBits(a.ship.file.origin, b.ship.file.origin));
   EXPECT_EQ(a.ship.volume, b.ship.volume);
   EXPECT_TRUE(sameBits(a.ship.centreOfBuoyancy, b.ship.centreOfBuoyancy));
   EXPECT_TRUE(sameBits(a.ship.restoring, b.ship.restoring));

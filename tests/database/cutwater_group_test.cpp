@@ -1,3 +1,4 @@
+#include <functional>
 #include <set>
 
 #include "hydro/database/CutwaterGroup.h"
@@ -23,12 +24,12 @@ std::set<std::string> datasets(const std::string& path, const char* group) {
 
 using CutwaterGroup = FileTest;
 
-// Format version 5, dataset by dataset. Whoever changes this list raises kFormatVersion, keeps a
+// Format version 6, dataset by dataset. Whoever changes this list raises kFormatVersion, keeps a
 // file of the version before in this folder and reads it (old_format_test.cpp) or refuses it.
 TEST_F(CutwaterGroup, IsThisListOfDatasets) {
-  ASSERT_EQ(kFormatVersion, 5);
+  ASSERT_EQ(kFormatVersion, 6);
   writeCoefficients(sampleShip(), path());
-  const std::set<std::string> version5{"added_mass",
+  const std::set<std::string> version6{"added_mass",
                                        "added_mass_inf",
                                        "added_mass_inf_direct",
                                        "added_mass_x",
@@ -66,6 +67,9 @@ TEST_F(CutwaterGroup, IsThisListOfDatasets) {
                                        "ship/centre_of_buoyancy",
                                        "ship/cog",
                                        "ship/density",
+                                       "ship/file/metres_per_unit",
+                                       "ship/file/origin",
+                                       "ship/file/rotation",
                                        "ship/gravity",
                                        "ship/gyradii",
                                        "ship/hull/faces",
@@ -87,7 +91,7 @@ TEST_F(CutwaterGroup, IsThisListOfDatasets) {
                                        "status",
                                        "unfinished_because",
                                        "wave_omega"};
-  EXPECT_EQ(datasets(path(), "cutwater"), version5);
+  EXPECT_EQ(datasets(path(), "cutwater"), version6);
 }
 
 TEST(CheckCoefficients, NamesWhatIsNotFinite) {
@@ -100,6 +104,34 @@ TEST(CheckCoefficients, NamesWhatIsNotFinite) {
   } catch (const HydroError& error) {
     EXPECT_EQ(error.fault(), Fault::ValueOutOfRange);
     EXPECT_EQ(std::string(error.what()).find("here: damping_x"), 0u) << error.what();
+  }
+}
+
+// A file's axes are a rotation and a scale.
+TEST(CheckCoefficients, RefusesAPlacementThatNoFileHas) {
+  struct Case {
+    std::function<void(FilePlacement&)> spoil;
+    const char* says;
+  };
+  const Case cases[] = {
+      {[](auto& f) { f.rotation.row(1) *= -1.0; },
+       "ship/file/rotation is no rotation: its axes are mirrored"},
+      {[](auto& f) { f.rotation *= 1.01; }, "not of length 1"},
+      {[](auto& f) { f.rotation(0, 1) += 0.1; }, "not at right angles"},
+      {[](auto& f) { f.rotation(2, 2) = std::nan(""); }, "ship/file/rotation[2, 2] is nan"},
+      {[](auto& f) { f.metresPerUnit = 0.0; }, "ship/file/metres_per_unit = 0"},
+      {[](auto& f) { f.metresPerUnit = -1.0; }, "ship/file/metres_per_unit = -1"},
+      {[](auto& f) { f.origin.y() = HUGE_VAL; }, "ship/file/origin[1] is inf"}};
+  for (const Case& c : cases) {
+    Coefficients ship = sampleShip();
+    c.spoil(ship.ship.file);
+    try {
+      checkCoefficients(ship, "here");
+      ADD_FAILURE() << c.says;
+    } catch (const HydroError& error) {
+      EXPECT_EQ(error.fault(), Fault::ValueOutOfRange);
+      EXPECT_NE(std::string(error.what()).find(c.says), std::string::npos) << error.what();
+    }
   }
 }
 

@@ -46,6 +46,23 @@ TEST_F(OldFormat, IsWrittenAsThisVersion) {
   EXPECT_EQ(again.ship.hull.faces.size(), 96u);
 }
 
+// Version 5 did not know the file that its hull was read from: hull axes, metres.
+TEST_F(OldFormat, WithoutThePlacementOfItsFileItIsInHullAxes) {
+  writeCoefficients(sampleShip(), path());
+  {
+    Edit edit(path());
+    for (const char* name : {"rotation", "metres_per_unit", "origin"})
+      edit.remove((std::string("cutwater/ship/file/") + name).c_str());
+    edit.version(5);
+    edit.renewChecksum();
+  }
+  const FilePlacement file = readCoefficients(path()).ship.file;
+  EXPECT_TRUE(file.rotation.isIdentity(0.0));
+  EXPECT_EQ(file.metresPerUnit, 1.0);
+  EXPECT_TRUE(file.origin.isZero(0.0));
+  EXPECT_TRUE(readCoefficients(kOldFile).ship.file.rotation.isIdentity(0.0));
+}
+
 // Version 2 did not say whether it was finished; without a consistent A(inf) it was not.
 TEST_F(OldFormat, WithoutAConsistentLimitItIsUnfinished) {
   Coefficients c = sampleShip();

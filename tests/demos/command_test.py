@@ -125,6 +125,44 @@ class Tables(Files):
         self.assertEqual(names["code"], "Cutwater")
         self.assertNotEqual(float(names["check_damping_smallest_diagonal"]), 0)
 
+    def test_a_database_knows_its_hull_files_axes_unit_and_origin(self):
+        names = {row["name"]: row["value"] for row in table("info", DATABASE)}
+        self.assertEqual([names[f"file_{name}"] for name in ("up", "forward", "unit")],
+                         ["z", "x", "1"])
+        lines = []
+        with open(f"{MESHES}/frigate/frigate_224.obj", encoding="utf-8") as mesh:
+            for line in mesh:
+                if line.startswith("v "):
+                    x, y, z = (100.0 * float(word) for word in line.split()[1:4])
+                    line = f"v {-x} {z + 250.0} {y}\n"  # y up, -x forward: z to port, in cm
+                lines.append(line)
+        self.path("drawn.obj", "".join(lines))
+        ship = self.path("s.toml", """[hull]
+mesh = "drawn.obj"
+up = "y"
+forward = "-x"
+unit = "cm"
+waterline = 250.0
+[mass]
+cog = [-2.4044, 0.0, 1.29]
+[solve]
+omega = [0.8]
+lid = false
+""")
+        done = call("solve", ship, "-o", self.path("s.h5"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        names = {row["name"]: row["value"] for row in table("info", self.path("s.h5"))}
+        self.assertEqual([names[f"file_{name}"] for name in ("up", "forward", "unit")],
+                         ["y", "-x", "0.01"])
+        self.assertEqual([float(names[f"file_origin_{axis}"]) for axis in "xyz"], [0, 0, -2.5])
+
+    def test_headings_beyond_a_turn_are_the_same_directions(self):
+        start = "[motion.start]\nyaw_deg = {}\nroll_deg = {}\n"
+        plain = self.path("a.toml", RUN + "[motion]\nheading_deg = 40\n" + start.format(-10, 3))
+        turned = self.path("b.toml",
+                           RUN + "[motion]\nheading_deg = 400\n" + start.format(350, -357))
+        self.assertEqual(table("simulate", plain), table("simulate", turned))
+
     def test_simulate_columns_and_start(self):
         run = self.path("run.toml", RUN)
         rows = table("simulate", run, "--forces")

@@ -7,6 +7,7 @@
 #include "hydro/files/MeshIO.h"
 #include "hydro/geometry/MeshIntegrals.h"
 #include "hydro/geometry/shapes/Shapes.h"
+#include "hydro/ship/Afloat.h"
 #include "tests/files/MeshFiles.h"
 
 namespace cutwater {
@@ -93,7 +94,43 @@ TEST(MeshIoIdentity, AxesUnitAndWaterlineAreTurnedToOurs) {
     EXPECT_LT((volumeIntegrals(read.surface).centroid() - centroid).norm(), 1e-6);
     EXPECT_NEAR(bounds(read.surface).high.x(), 1.5, 1e-6);
     EXPECT_NEAR(bounds(read.surface).low.z(), -0.1875, 1e-6);
+    // And the hull knows where its file lies: every vertex comes back, to round-off.
+    for (std::size_t i = 0; i < ours.vertices.size(); ++i)
+      EXPECT_LT((read.file.toHull(inFile.vertices[i]) - ours.vertices[i]).norm(), 1e-14);
   }
+}
+
+// A COLLADA file's <unit> is applied when it is read, as filePlacement says.
+TEST(MeshIoClosedForm, AColladaUnitIsTurnedToMetres) {
+  const TemporaryFolder folder;
+  std::string text = test::colladaText(hull());
+  const std::string metre = "meter=\"1\"";
+  ASSERT_NE(text.find(metre), std::string::npos);
+  text.replace(text.find(metre), metre.size(), "meter=\"0.01\"");
+  EXPECT_NEAR(bounds(readSurface(folder.write("h.dae", text))).high.x(), 0.015, 1e-6);
+}
+
+// A box trimmed and heeled about the point on calm water: R = R_y(trim) R_x(heel).
+TEST(MeshIoClosedForm, TheFilesPlacementHoldsTrimHeelAndWaterline) {
+  const MeshReadOptions options{
+      .up = "y", .forward = "-x", .unit = "cm", .waterline = 40.0, .trimDeg = 2.0, .heelDeg = 5.0};
+  const FilePlacement file = filePlacement(options);
+  const double trim = 2.0 * kPi / 180.0, heel = 5.0 * kPi / 180.0;
+  const Vec3 inFile(-300.0, 140.0, 200.0);  // 3 m forward, 1 m above water; port is y × -x = z
+  const Vec3 level(3.0, 2.0, 1.0);
+  const Vec3 heeled(level.x(), level.y() * std::cos(heel) - level.z() * std::sin(heel),
+                    level.y() * std::sin(heel) + level.z() * std::cos(heel));
+  const Vec3 trimmed(heeled.x() * std::cos(trim) + heeled.z() * std::sin(trim), heeled.y(),
+                     -heeled.x() * std::sin(trim) + heeled.z() * std::cos(trim));
+  EXPECT_LT((file.toHull(inFile) - trimmed).norm(), 1e-14);
+  EXPECT_THROW(filePlacement({.up = "x"}), HydroError);
+  const TemporaryFolder folder;
+  const std::string box = folder.write("b.obj", test::objText(closedBox({10, 4, 2, 3}, 5, 2, 2)));
+  const Hull read = readHull(box, {.heelDeg = 2.0});
+  EXPECT_EQ(read.file.rotation, filePlacement({.heelDeg = 2.0}).rotation);
+  EXPECT_EQ(readRepaired(box, {.unit = "ft"}).hull.file.metresPerUnit, 0.3048);
+  EXPECT_EQ(panelledAsItIs(read).file.rotation, read.file.rotation);
+  EXPECT_EQ(afloat(panelledAsItIs(read)).ship.file.rotation, read.file.rotation);
 }
 
 TEST(MeshIo, TrimIsBowDownAndHeelStarboardDown) {

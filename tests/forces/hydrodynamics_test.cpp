@@ -49,17 +49,18 @@ TEST(SeaTables, NullPointersAreRefused) {
   EXPECT_NO_THROW(SeaTables(ship, sea));
 }
 
-TEST(SeaTables, ExactForcesAreKeptWhileAShipHasThemAndNoLonger) {
+// A ship that comes back to a course finds its loads; of many courses the oldest goes.
+TEST(SeaTables, ExactForcesOfTheLastCoursesAreKept) {
   const SeaTables tables(std::make_shared<const Hydrodynamics>(test::tableBox()),
                          std::make_shared<const SeaState>(test::tableSea(3)));
-  std::weak_ptr<const CourseForces> first;
-  {
-    const auto forces = tables.exact(0.1, 2.0);
-    first = forces;
-    EXPECT_EQ(tables.exact(0.1, 2.0), forces);
-    EXPECT_NE(tables.exact(0.2, 2.0), forces);
-    EXPECT_EQ(forces->components.size(), 3u);
-  }
+  std::weak_ptr<const CourseForces> first = tables.exact(0.1, 2.0);
+  EXPECT_EQ(tables.exact(0.1, 2.0), first.lock());
+  EXPECT_NE(tables.exact(0.2, 2.0), first.lock());
+  EXPECT_EQ(tables.exact(0.1, 2.0)->components.size(), 3u);
+  for (std::size_t i = 0; i < SeaCache::kCoursesKept - 1; ++i)
+    tables.exact(0.3 + 0.01 * static_cast<double>(i), 2.0);
+  EXPECT_FALSE(first.expired());
+  tables.exact(1.0, 2.0);
   EXPECT_TRUE(first.expired());
 }
 

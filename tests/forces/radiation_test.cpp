@@ -23,6 +23,7 @@ Radiation radiation(const std::shared_ptr<const RadiationModel>& model, bool fol
 
 TickInput anyMotion() {
   TickInput motion;
+  motion.step = motion.lastStep = 0.05;
   motion.speed = 6.0;
   motion.turnRate = 0.04;
   motion.eta << 0.3, -0.2, 0.5, 0.1, -0.15, 0.07;

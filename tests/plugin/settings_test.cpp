@@ -92,6 +92,31 @@ TEST(ShipSettings, EveryFieldIsChecked) {
   EXPECT_EQ(plain.world.getNumConstraints(), 0);
 }
 
+// Degrees given for radians: 90 of a heading, 6 of a roll.
+TEST(ShipSettings, DegreesAreRefused) {
+  TestWorld plain(kSphereGravity);
+  Seaway seaway(plain.world);
+  btSphereShape shape(5);
+  const auto hydro = std::make_shared<const Hydrodynamics>(hemisphere());
+  int angles = 0;
+  for (const Field& field : fields()) {
+    const std::string name = field.name;
+    const bool attitude = name >= "start.offset[3]" && name <= "start.offset[5]";
+    if (!attitude && name != "start.heading" && name != "CourseKeeper::heading") continue;
+    ++angles;
+    ShipSettings settings{.collision = {.shape = &shape}};
+    for (const double degrees : {90.0, -180.0, attitude ? 6.0 : 45.0}) {
+      field.of(settings) = degrees;
+      const std::string said = refusal(seaway, hydro, settings);
+      EXPECT_NE(said.find(name + " = " + (degrees < 0.0 ? "-180" : "")), std::string::npos) << said;
+      EXPECT_NE(said.find("radians; did you mean degrees?"), std::string::npos) << said;
+    }
+    field.of(settings) = attitude ? 180.0 * (kPi / 180.0) : 360.0 * (kPi / 180.0);
+    EXPECT_EQ(refusal(seaway, hydro, settings), "");
+  }
+  EXPECT_EQ(angles, 5);
+}
+
 TEST(ShipSettings, OrdersAndPlacesAreCheckedLater) {
   TestWorld plain(kSphereGravity);
   Seaway seaway(plain.world);
@@ -101,7 +126,45 @@ TEST(ShipSettings, OrdersAndPlacesAreCheckedLater) {
   EXPECT_THROW(ship.keepCourse({.rate = -1.0}), HydroError);
   EXPECT_THROW(ship.placeAt(std::nan(""), 0.0, 0.0), HydroError);
   EXPECT_THROW(ship.placeAt(0.0, 0.0, 0.0, one(Heave, 1e9)), HydroError);
+  EXPECT_THROW(ship.placeAt(0.0, 0.0, 90.0), HydroError);
+  EXPECT_THROW(ship.placeAt(0.0, 0.0, 0.0, one(Roll, 10.0)), HydroError);
+  EXPECT_THROW(ship.keepCourse({.heading = 90.0}), HydroError);
   EXPECT_EQ(ship.position().x(), 0.0);
+}
+
+// What addShip says of settings with a body of the user's: the model acts, of the start only the
+// speed of a fixed course, and of the shape nothing.
+TEST(ShipSettings, OfABodyOfTheUsersTheModelIsUsed) {
+  for (const Mean mean : {Mean::Fixed, Mean::Filtered}) {
+    TestWorld plain(kSphereGravity);
+    Seaway seaway(plain.world);
+    btSphereShape own(5), other(3);
+    const ShipParticulars& ship = hemisphere().ship;
+    btRigidBody body(btRigidBody::btRigidBodyConstructionInfo(
+        static_cast<btScalar>(ship.mass), nullptr, &own,
+        toBullet(Vec3(ship.mass * ship.gyradii.cwiseAbs2()))));
+    body.setCenterOfMassTransform(btTransform(btQuaternion::getIdentity(), btVector3(7, 8, -2)));
+    body.setLinearVelocity(btVector3(2, 0, 0));
+    plain.world.addRigidBody(&body);
+    ShipSettings settings{.start = {.x = 100.0, .heading = 1.0, .speed = 5.0},
+                          .model = {.mean = mean, .without = {"radiation"}},
+                          .collision = {.shape = &other}};
+    settings.start.offset[Heave] = 1.0;
+    settings.start.velocity[Heave] = 1.0;
+    settings.model.restrained[Sway] = true;
+    settings.model.keepSpeed = {.speed = 2.0};
+    Ship& added = seaway.addShip(hemisphere(), body, settings);
+    EXPECT_EQ(plain.world.getNumConstraints(), 2);  // added mass, and the restraint
+    EXPECT_FALSE(added.enabled("radiation"));
+    EXPECT_EQ(body.getCollisionShape(), &own);
+    EXPECT_EQ(added.position(), Vec3(7, 8, -2));
+    EXPECT_EQ(added.velocity(), one(Surge, 2.0));
+    EXPECT_EQ(added.course().x(), 7.0);
+    EXPECT_EQ(added.course().heading(), 0.0);
+    EXPECT_EQ(added.course().speed(), mean == Mean::Fixed ? 5.0 : 2.0);
+    seaway.removeShip(added);
+    plain.world.removeRigidBody(&body);
+  }
 }
 
 TEST(ShipSettings, OneBodyIsOneShip) {

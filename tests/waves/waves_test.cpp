@@ -237,5 +237,49 @@ TEST(Spectrum, RefusesNonsenseNamingTheField) {
   }
 }
 
+std::string refusalOf(const std::function<void()>& make) {
+  try {
+    make();
+  } catch (const HydroError& error) {
+    EXPECT_EQ(error.fault(), Fault::ValueOutOfRange);
+    return error.what();
+  }
+  return {};
+}
+
+// Headings beyond a turn are degrees.
+TEST(WaveHeadings, DegreesAreRefused) {
+  const auto component = [](double heading) {
+    return refusalOf([&] { SeaState({{.omega = 1.0, .heading = heading}}, kG); });
+  };
+  const auto spectrum = [](double heading) {
+    return refusalOf([&] { makeSeaState(Spectrum{}, {.heading = heading}); });
+  };
+  for (const double heading : {150.0, -90.0, 6.4}) {
+    for (const std::string& said : {component(heading), spectrum(heading)}) {
+      EXPECT_NE(said.find("radians; did you mean degrees?"), std::string::npos) << said;
+      EXPECT_NE(said.find("heading = "), std::string::npos) << said;
+    }
+  }
+  EXPECT_NE(component(180.0).find("component 0: heading = 180"), std::string::npos);
+  for (const double heading : {360.0 * (kPi / 180.0), -2.0 * kPi}) {
+    EXPECT_EQ(component(heading), "");
+    EXPECT_EQ(spectrum(heading), "");
+  }
+}
+
+// A short-crested sea on a mean heading of a turn is that on a mean heading of 0.
+TEST(WaveHeadingsIdentity, SpreadingDoesNotLeaveTheTurn) {
+  const SeaStateSettings settings{.spreading = 1.0};
+  SeaStateSettings turned = settings;
+  turned.heading = 2.0 * kPi;
+  const SeaState a = makeSeaState(Spectrum{}, settings), b = makeSeaState(Spectrum{}, turned);
+  for (std::size_t i = 0; i < a.components().size(); ++i) {
+    const double between = a.components()[i].heading - b.components()[i].heading;
+    EXPECT_LT(std::abs(std::remainder(between, 2.0 * kPi)), 4e-15);
+    EXPECT_LE(std::abs(b.components()[i].heading), 2.0 * kPi);
+  }
+}
+
 }  // namespace
 }  // namespace cutwater

@@ -29,6 +29,24 @@ void list(Csv& csv, const std::string& name, const std::string& value, const std
   csv.line(name + "," + (quoted ? "\"" + cell + "\"" : cell) + "," + unit);
 }
 
+// An axis of the ship in the file's: by name where it is one of them.
+std::string axisText(const Vec3& axis) {
+  for (int i = 0; i < 3; ++i) {
+    if (axis == Vec3::Unit(i)) return std::string(1, "xyz"[i]);
+    if (axis == -Vec3::Unit(i)) return std::string("-") + "xyz"[i];
+  }
+  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", axis.x(), axis.y(), axis.z());
+}
+
+// The hull file's own axes, unit and origin, as the ship was solved with.
+void listFile(Csv& csv, const FilePlacement& file) {
+  list(csv, "file_up", axisText(file.rotation.row(2)), "");
+  list(csv, "file_forward", axisText(file.rotation.row(0)), "");
+  list(csv, "file_unit", csvNumber(file.metresPerUnit), "m");
+  for (int i = 0; i < 3; ++i)
+    list(csv, std::string("file_origin_") + "xyz"[i], csvNumber(file.origin[i]), "m");
+}
+
 void listShip(Csv& csv, const ShipParticulars& ship) {
   list(csv, "ship", ship.name, "");
   const auto number = [&](const std::string& name, double value, const std::string& unit) {
@@ -43,6 +61,7 @@ void listShip(Csv& csv, const ShipParticulars& ship) {
   number("density", ship.density, "kg/m^3");
   number("gravity", ship.gravity, "m/s^2");
   number("symmetric", ship.symmetric ? 1 : 0, "");
+  listFile(csv, ship.file);
   number("wet_panels_stored", static_cast<double>(ship.wetSurface.faces.size()), "");
   number("hull_faces", static_cast<double>(ship.hull.faces.size()), "");
   for (int i = 0; i < 6; ++i) {

@@ -12,7 +12,8 @@ PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& option
   RepairedHull repaired = readRepaired(mesh, options);
   for (const std::string& line : repaired.done) say(mesh + ": " + line);
   SurfaceMesh panels = panelled(repaired.hull, *count, mesh);
-  return {std::move(repaired.hull.surface), std::move(panels), repaired.hull.symmetric};
+  return {std::move(repaired.hull.surface), std::move(panels), repaired.hull.symmetric,
+          repaired.hull.file};
 }
 
 PanelledHull readHullSection(TomlFile& file, std::optional<int> count) {

@@ -18,6 +18,11 @@ namespace {
 constexpr double kDegree = kPi / 180.0;
 constexpr double kTurn = 720.0;  // largest angle accepted [deg]
 
+// [rad] of an angle in degrees; the same direction within ±`largest` where it is beyond.
+double radians(double degrees, double largest) {
+  return kDegree * (std::abs(degrees) <= largest ? degrees : std::remainder(degrees, 360.0));
+}
+
 void readBullet(TomlSection bullet, RunFile& run) {
   run.tick = bullet.number("dt", run.tick, 1e-4, 1.0);
   run.substeps = bullet.integer("substeps", run.substeps, 1, 1000);
@@ -73,7 +78,7 @@ void readComponents(TomlSection& waves, RunFile& run) {
     wave.amplitude = item.number("amplitude", 0.0, 0.0, 100.0);
     wave.phase = kDegree * item.number("phase_deg", 0.0, -kTurn, kTurn);
     wave.heading = item.has("direction_deg")
-                       ? kDegree * item.number("direction_deg", 0.0, -kTurn, kTurn)
+                       ? radians(item.number("direction_deg", 0.0, -kTurn, kTurn), 360.0)
                        : run.heading;
     item.finish();
     run.components.push_back(wave);
@@ -114,7 +119,7 @@ void readStart(TomlSection start, RunFile& run) {
   for (int i = 0; i < 6; ++i) {
     const bool angle = i >= 3;
     run.start.offset[i] = start.number(offsets[i], 0.0, angle ? -kTurn : -1e5, angle ? kTurn : 1e5);
-    if (angle) run.start.offset[i] *= kDegree;
+    if (angle) run.start.offset[i] = radians(run.start.offset[i], 180.0);
     run.start.velocity[i] = start.number(velocities[i], 0.0, -1e3, 1e3);
   }
   start.finish();
@@ -122,7 +127,7 @@ void readStart(TomlSection start, RunFile& run) {
 
 void readMotion(TomlSection motion, RunFile& run) {
   run.start.speed = motion.number("speed", 0.0, -100.0, 100.0);
-  run.heading = kDegree * motion.number("heading_deg", 180.0, -kTurn, kTurn);
+  run.heading = radians(motion.number("heading_deg", 180.0, -kTurn, kTurn), 360.0);
   if (motion.text("mode", "linear", {"linear", "nonlinear"}) != "linear") {
     motion.refuse("mode", "only \"linear\" is possible in this version");
   }
@@ -242,6 +247,7 @@ void takeHull(const RunFile& run, const ShipParticulars& given, ShipParticulars&
       differs("cog", given.cog[i], ship.cog[i]);
   }
   ship.hull = given.hull;
+  ship.file = given.file;
   ship.gyradii = given.gyradii;
 }
 

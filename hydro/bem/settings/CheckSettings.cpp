@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
+#include "hydro/base/Radians.h"
 
 namespace cutwater {
 
@@ -21,8 +22,7 @@ void check(const ShipParticulars& ship, const SolveSettings& settings) {
     before = omega;
   }
   for (const double heading : settings.headings)
-    if (!std::isfinite(heading))
-      throw HydroError(Fault::ValueOutOfRange, "buildCoefficients: a heading is not finite");
+    requireRadians("buildCoefficients: a heading", heading, kTurn);
   for (const double speed : settings.speeds)
     if (!std::isfinite(speed))
       throw HydroError(Fault::ValueOutOfRange, "buildCoefficients: a speed is not finite");

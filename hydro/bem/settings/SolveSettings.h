@@ -25,8 +25,8 @@ std::vector<double> usualWaveOmega(const ShipParticulars& ship);
 ///     settings.omega = usualOmega(ship);
 ///     settings.headings = {kPi};
 struct SolveSettings {
-  std::vector<double> omega;      ///< ω_e [rad/s]: finite, > 0, strictly increasing
-  std::vector<double> headings;   ///< β [rad] for the excitation tables; may be empty
+  std::vector<double> omega;     ///< ω_e [rad/s]: finite, > 0, strictly increasing
+  std::vector<double> headings;  ///< β [rad], −2π..2π, for the excitation tables; may be empty
   std::vector<double> waveOmega;  ///< ω_I [rad/s] for `Coefficients::diffractionTable`
   std::vector<double> speeds;     ///< U [m/s] ≥ 0 for the same
   Formulation formulation = Formulation::Potential;

@@ -14,7 +14,7 @@ int main(int argc, char** argv) try {
   const cutwater::RepairedHull read = cutwater::readRepaired(mesh);
   for (const std::string& line : read.done) std::fprintf(stderr, "%s\n", line.c_str());
   const cutwater::PanelledHull hull{read.hull.surface, cutwater::panelled(read.hull, 80, mesh),
-                                    read.hull.symmetric};
+                                    read.hull.symmetric, read.hull.file};
   const cutwater::Loading loading{
       .cog = {0.0, 0.0, -1.0}, .level = true, .gyradii = cutwater::Vec3(3.0, 3.0, 3.0)};
   cutwater::ShipParticulars ship = cutwater::afloat(hull, loading).ship;
