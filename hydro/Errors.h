@@ -69,7 +69,7 @@ enum StepFault : std::uint32_t {
   kTickNotPositive = 1u << 7,  ///< a tick of no length or less: it passed without loads and weight
   /// A tick too long for the ship's own motions: its loads acted for as long as they can be right.
   kTickTooLong = 1u << 8,
-  /// A constraint of ours was taken out of the world, and put back; or deleted: no loads from then.
+  /// A constraint of ours was taken out of the world, or deleted by somebody; it was put back.
   kConstraintRemoved = 1u << 9,
   kMassChanged = 1u << 10,     ///< the body's mass or inertia is not the database's any more
   kGravityChanged = 1u << 11,  ///< the world's gravity is not the database's, or points elsewhere

@@ -65,8 +65,8 @@ class Seaway final {
   /// mass distribution on the same waterline is withLoading(coefficients, …) of
   /// database/ChangeOfLoading.h.
   /// @throws HydroError ValueOutOfRange: a setting that is not finite or far outside what ships do
-  ///         (named, with its bounds), gravity of the world or of the sea that is not the database's
-  ///         (or zero, in the world), mass or gyradii not positive, a wave outside the database;
+  ///         (named, with its bounds), gravity of the world (or zero) or of the sea that is not the
+  ///         database's, mass or gyradii not positive, a wave outside the database;
   ///         DatabaseIncomplete: no hull in it and no shape given;
   ///         BadArgument: a null pointer, an unknown part in `without`, a body that is a ship here
   ///         already. Nothing has changed then.

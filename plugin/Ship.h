@@ -105,10 +105,10 @@ Vec3 motionAngles(const Mat3& rotation) noexcept;
 ///
 /// What Bullet offers for its bodies holds for a ship: linear and angular factors, sleep, damping,
 /// setMassProps(0) to hold it still. A factor of 0 about the vertical holds the heading (or its
-/// rate), where Bullet's own would let roll and pitch turn it bit by bit. Bullet's weight is off the body (getGravity() is 0 and
-/// BT_DISABLE_WORLD_GRAVITY is set), as the water carries it; the ship reads the world's gravity
-/// each tick. Bullet's gyroscopic term is off, too: the ship applies its own, as Bullet's vanishes
-/// for small inertias in single precision.
+/// rate), where Bullet's own would let roll and pitch turn it bit by bit. Bullet's weight is off
+/// the body (getGravity() is 0 and BT_DISABLE_WORLD_GRAVITY is set), as the water carries it; the
+/// ship reads the world's gravity each tick. Bullet's gyroscopic term is off, too: the ship applies
+/// its own, as Bullet's vanishes for small inertias in single precision.
 ///
 /// Not in this theory: calm-water resistance, mean drift in waves, steady sinkage and trim, waves
 /// from one ship to another.

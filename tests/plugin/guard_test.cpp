@@ -589,6 +589,25 @@ TEST(ShipGuard, TwoEpisodesFromOnePlaceAreTheSameBits) {
   EXPECT_EQ((ends[0] - ends[1]).length(), 0);
 }
 
+// Single precision.
+
+// Where the product of three inertias is below a float's epsilon, in units of the world, Bullet's
+// own gyroscopic term is gone: of a model, or, as here, in a world of millions of tonnes.
+TEST(ShipGuard, SmallInertiasKeepTheirGyroscopicTerm) {
+  btSphereShape shape(5);
+  const auto turned = [&](double kilograms) {
+    TestWorld world(kSphereGravity);
+    Seaway seaway(world.world, {}, {.kilogramsPerUnit = kilograms});
+    const ShipStart start{.velocity = one(Roll, 0.4) + one(Yaw, 0.3)};
+    Ship& ship = seaway.addShip(slenderShip(), {.start = start, .collision = {.shape = &shape}});
+    for (int i = 0; i < 320; ++i) world.world.stepSimulation(kTick, 1, kTick);
+    return ship.attitude();
+  };
+  const Vec3 usual = turned(1.0), small = turned(1e12);
+  EXPECT_GT(std::abs(usual[1]), 0.01);  // pitch comes from nothing but roll times yaw
+  EXPECT_LT((small - usual).norm(), 1e5 * kEpsilon);
+}
+
 // Far outside the theory.
 
 // From the air, and upside down in a storm: whatever it does, it comes back or stays bounded.
