@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hydro/database/BemioLayout.h"
+#include "hydro/database/NegativeDamping.h"
 
 namespace cutwater {
 
@@ -32,8 +33,7 @@ std::string missingLimits(const Coefficients& c) {
       kBemioCoefficients, modes);
 }
 
-/// Damping that takes more than 1 % of its largest value out of the water feeds a motion, which
-/// then grows for ever; less is lost in what the other parts take.
+/// Damping below zero by more than kNegativeDampingShare, and by more than next to nothing.
 std::string negativeDamping(const Coefficients& c, int j) {
   double most = 0.0;
   for (const Mat6& b : c.damping) most = std::max(most, b(j, j));
@@ -42,7 +42,7 @@ std::string negativeDamping(const Coefficients& c, int j) {
   std::string at;
   int count = 0;
   for (std::size_t i = 0; i < c.omega.size(); ++i) {
-    if (c.damping[i](j, j) >= -std::max(0.01 * most, trifle)) continue;
+    if (c.damping[i](j, j) >= -std::max(kNegativeDampingShare * most, trifle)) continue;
     if (++count <= 4) at += fmt::format("{}{:.6g}", count > 1 ? ", " : "", c.omega[i]);
   }
   if (count == 0) return {};

@@ -9,7 +9,6 @@
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/database/Interpolation.h"
 #include "hydro/excitation/WaveExcitation.h"
-#include "hydro/geometry/panels/WetSurface.h"
 #include "hydro/incident/IncidentWaveForce.h"
 #include "hydro/incident/SmallPanels.h"
 
@@ -76,24 +75,28 @@ std::vector<double> gridFrequencies(const SeaState& sea, double length) {
 }  // namespace
 
 ExcitationTable::ExcitationTable(const Coefficients& c, const SeaState& sea, ForwardSpeedForm form)
+    : ExcitationTable(WaveExcitation(c, form), sea) {}
+
+ExcitationTable::ExcitationTable(const WaveExcitation& direct, const SeaState& sea)
     : sea_(sea),
-      form_(form),
-      symmetric_(c.ship.symmetric),
-      hasVectors_(!c.adjoint.empty() && !c.ship.wetSurface.faces.empty()),
-      length_(c.wet().empty() ? 1.0 : c.ship.length()) {
+      form_(direct.form()),
+      symmetric_(direct.coefficients().ship.symmetric),
+      hasVectors_(!direct.coefficients().adjoint.empty() && !direct.panels().panels.empty()),
+      length_(direct.panels().panels.empty() ? 1.0 : direct.coefficients().ship.length()) {
   if (sea.components().empty()) return;
+  const CoefficientTables& c = direct.coefficients();
   checkComponents(c);
   if (hasVectors_) {
     makeVectors(c);
   } else {
     width_ = 24;
   }
-  makeRows(c);
-  error_ = measureError(c);
+  makeRows(direct);
+  error_ = measureError(direct);
 }
 
 // As WaveExcitation would at rest; what speeds a course may have is not known here.
-void ExcitationTable::checkComponents(const Coefficients& c) const {
+void ExcitationTable::checkComponents(const CoefficientTables& c) const {
   if (c.omega.empty())
     throw HydroError(Fault::DatabaseIncomplete, "ExcitationTable: the database has no frequencies");
   for (std::size_t i = 0; i < sea_.components().size(); ++i) {
@@ -106,7 +109,7 @@ void ExcitationTable::checkComponents(const Coefficients& c) const {
   }
 }
 
-void ExcitationTable::makeVectors(const Coefficients& c) {
+void ExcitationTable::makeVectors(const CoefficientTables& c) {
   hasInfinity_ = c.adjoint.atInfinity.cols() > 0;
   last_ = c.omega[(hasInfinity_ ? resolvedCount(c) : c.omega.size()) - 1];
   vectorStep_ = last_ / static_cast<double>(kVectorNodes - 1);
@@ -176,7 +179,8 @@ void ExcitationTable::project(const Coefficients::AdjointVectors& b,
   }
 }
 
-void ExcitationTable::makeRows(const Coefficients& c) {
+void ExcitationTable::makeRows(const WaveExcitation& direct) {
+  const ShipParticulars& ship = direct.coefficients().ship;
   std::size_t size = 0;
   rowOmega_ = gridFrequencies(sea_, length_);
   for (const double omega : rowOmega_) {
@@ -186,15 +190,14 @@ void ExcitationTable::makeRows(const Coefficients& c) {
     size += 2 * half * width_;
   }
   values_.assign(size, 0.0);
-  const WaveExcitation direct(c, form_);
   std::vector<SmallPanel> panels, faces;
   if (hasVectors_) {
-    panels = smallPanels(c.wet().panels(), c.ship.cog);
-    faces = smallPanels(c.wet().faces(), c.ship.cog);
+    panels = smallPanels(direct.panels(), ship.cog);
+    faces = smallPanels(direct.faces(), ship.cog);
   }
   const auto fill = [&](const AiryWave& wave, double* at) {
     if (hasVectors_) {
-      put(froudeKrylovForce(faces, wave, symmetric_, c.ship.density) + direct.lacking().force(wave),
+      put(froudeKrylovForce(faces, wave, symmetric_, ship.density) + direct.lacking().force(wave),
           at);
       enter(incidentNormalVelocity(panels, wave, symmetric_), at + 12);
     } else {
@@ -243,9 +246,9 @@ void ExcitationTable::mirror(const double* from, double* to) const {
   for (std::size_t i = hasVectors_ ? 12 + 2 * rank_[0] : width_; i < width_; ++i) to[i] = -to[i];
 }
 
-double ExcitationTable::measureError(const Coefficients& c) const {
-  const WaveExcitation direct(c, form_);
-  const bool moving = hasVectors_ && (form_ == ForwardSpeedForm::Tuck || !c.adjointX.empty());
+double ExcitationTable::measureError(const WaveExcitation& direct) const {
+  const bool moving =
+      hasVectors_ && (form_ == ForwardSpeedForm::Tuck || !direct.coefficients().adjointX.empty());
   Eigen::Array<double, 6, 1> worst = Eigen::Array<double, 6, 1>::Zero(), largest = worst;
   constexpr int kPoints = 48;
   for (int i = 0; i < kPoints; ++i) {

@@ -9,6 +9,8 @@
 
 namespace cutwater {
 
+class WaveExcitation;
+
 /// Forces of all components of a sea on a ship of any course and speed, shared by all ships of a
 /// kind.
 ///
@@ -26,10 +28,12 @@ class ExcitationTable {
     CVec6 froudeKrylov, diffraction;
   };
 
-  /// @param form  of the forward-speed terms.
+  /// @param direct  forces of the same ship one by one, which need only live for this call.
   /// @throws HydroError ValueOutOfRange, naming the component, above the database's last frequency;
   ///         as WaveExcitation::at for a database without adjoint vectors, whose tables must hold
   ///         all headings and whose diffraction is that at rest at every speed.
+  ExcitationTable(const WaveExcitation& direct, const SeaState& sea);
+  /// @param form  of the forward-speed terms.
   ExcitationTable(const Coefficients& coefficients, const SeaState& sea, ForwardSpeedForm form);
 
   const SeaState& sea() const noexcept { return sea_; }
@@ -59,19 +63,19 @@ class ExcitationTable {
 
   /// Which directions a mode sees: 0 even (all of an unsymmetric hull), 1 odd.
   std::size_t parityOf(int mode) const noexcept { return symmetric_ && mode % 2 == 1 ? 1 : 0; }
-  void checkComponents(const Coefficients& c) const;
-  void makeVectors(const Coefficients& c);
+  void checkComponents(const CoefficientTables& c) const;
+  void makeVectors(const CoefficientTables& c);
   void makeBasis(const std::vector<Coefficients::AdjointVectors>& b,
                  const std::vector<Coefficients::AdjointVectors>& bx);
   void project(const Coefficients::AdjointVectors& b, const Coefficients::AdjointVectors& bx,
                double* row) const;
-  void makeRows(const Coefficients& c);
+  void makeRows(const WaveExcitation& direct);
   template <class Fill>
   void fillRow(std::size_t i, const Fill& fill);
   static void put(const CVec6& force, double* at);
   void enter(const IncidentVelocity& v, double* at) const;
   void mirror(const double* from, double* to) const;
-  double measureError(const Coefficients& c) const;
+  double measureError(const WaveExcitation& direct) const;
   void interpolate(double omega, double beta, const Columns& columns, double* sum) const noexcept;
   struct VectorNodes {  // of ω_e
     std::array<double, 4> weights;

@@ -47,6 +47,11 @@ class WaveExcitation {
   Force at(double omegaI, double heading, double speed = 0.0) const;
   /// F_I alone; it does not depend on the speed.   @throws as at().
   CVec6 froudeKrylov(double omegaI, double heading) const;
+  const CoefficientTables& coefficients() const noexcept { return coefficients_; }
+  ForwardSpeedForm form() const noexcept { return form_; }
+  /// The solver's panels and their surface without gaps; no panels if the database has none.
+  const PanelMesh& panels() const noexcept { return panels_; }
+  const PanelMesh& faces() const noexcept { return faces_; }
   /// The part of F_I that goes with the hull's restoring instead of its panels'.
   const LackingRestoring& lacking() const noexcept { return lacking_; }
 

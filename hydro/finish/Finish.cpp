@@ -47,12 +47,12 @@ Coefficients finish(SolverOutput output) {
     c.status = CoefficientStatus::Finished;
     return c;
   }
-  const auto negative = negativeDamping(c);
-  if (!negative && !hinderingResonances(c, memory, limit, grid).empty()) {
+  const std::vector<std::string> damping = dampingWarnings(c);
+  if (damping.empty() && !hinderingResonances(c, memory, limit, grid).empty()) {
     continueConsistently(c, memory, limit.median);
     c.status = CoefficientStatus::Finished;
   } else {
-    setUnfinished(c, unfinishedReason(grid, limit, negative));
+    setUnfinished(c, unfinishedReason(grid, limit, damping));
   }
   return c;
 }

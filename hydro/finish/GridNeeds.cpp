@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "hydro/database/Interpolation.h"
+#include "hydro/database/NegativeDamping.h"
 
 namespace cutwater {
 
@@ -79,14 +80,13 @@ std::vector<Resonance> hinderingResonances(const CoefficientTables& c,
 }
 
 std::vector<NegativeDamping> negativeDampings(const CoefficientTables& c) {
-  constexpr double kRoundOff = -0.01;
   std::vector<NegativeDamping> found;
   const std::size_t count = std::min(resolvedCount(c), c.damping.size());
   for (int j = 0; j < 6; ++j) {
     double largest = 0.0;
     for (std::size_t i = 0; i < count; ++i)
       largest = std::max(largest, std::abs(c.damping[i](j, j)));
-    NegativeDamping worst{static_cast<Mode>(j), 0.0, kRoundOff};
+    NegativeDamping worst{static_cast<Mode>(j), 0.0, -kNegativeDampingShare};
     for (std::size_t i = 0; i < count && largest > 0.0; ++i)
       if (const double share = c.damping[i](j, j) / largest; share < worst.share)
         worst = {worst.mode, c.omega[i], share};
@@ -95,21 +95,22 @@ std::vector<NegativeDamping> negativeDampings(const CoefficientTables& c) {
   return found;
 }
 
-std::optional<NegativeDamping> negativeDamping(const CoefficientTables& c) {
-  const std::vector<NegativeDamping> all = negativeDampings(c);
-  const auto worst = std::min_element(
-      all.begin(), all.end(), [](const auto& a, const auto& b) { return a.share < b.share; });
-  return worst == all.end() ? std::nullopt : std::optional(*worst);
-}
-
-std::vector<std::string> panelWarnings(const CoefficientTables& c) {
-  constexpr double kMostAsymmetry = 0.1;
+std::vector<std::string> dampingWarnings(const CoefficientTables& c) {
   std::vector<std::string> lines;
   for (const NegativeDamping& negative : negativeDampings(c))
     lines.push_back(
         fmt::format("the panels do not carry the damping in {} near {:.3g} rad/s, where it is "
                     "{:.2g} % of its largest: use a finer mesh",
                     kModeNames[negative.mode], negative.omega, 100.0 * negative.share));
+  return lines;
+}
+
+std::vector<std::string> panelWarnings(const Coefficients& c) {
+  constexpr double kMostAsymmetry = 0.1;
+  std::vector<std::string> lines = dampingWarnings(c);
+  std::erase_if(lines, [&](const std::string& line) {
+    return c.unfinishedBecause.find(line) != std::string::npos;
+  });
   for (const auto& [key, what] :
        {std::pair{"added_mass_asymmetry_resolved", "A"}, {"damping_asymmetry_resolved", "B"}}) {
     // Masked frequencies are asymmetric for another reason.
@@ -124,7 +125,7 @@ std::vector<std::string> panelWarnings(const CoefficientTables& c) {
 }
 
 std::string unfinishedReason(const GridNeeds& grid, const ConsistentLimit& limit,
-                             const std::optional<NegativeDamping>& negative) {
+                             const std::vector<std::string>& damping) {
   std::vector<std::string> lines = grid.advice();
   if (!grid.leastCount) {
     lines.insert(lines.begin(), "the panels resolve fewer than 8 of the frequencies");
@@ -136,11 +137,8 @@ std::string unfinishedReason(const GridNeeds& grid, const ConsistentLimit& limit
                     100.0 * limit.scatter, 100.0 * kLargestScatter, 100.0 * limit.distance,
                     100.0 * kLargestDistance));
   }
-  if (negative) {
-    lines.push_back(
-        fmt::format("damping in {} is {:.2g} % of its largest at {:.3g} rad/s, though "
-                    "no ship's is negative: use a finer mesh, or a mask",
-                    kModeNames[negative->mode], 100.0 * negative->share, negative->omega));
+  if (!damping.empty()) {
+    lines.insert(lines.end(), damping.begin(), damping.end());
   } else if (lines.size() == 1 && grid.leastCount) {
     lines.push_back(
         fmt::format("damping has peaks narrower than the steps of {:.3g} rad/s: try smaller "

@@ -1,5 +1,4 @@
 #pragma once
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,20 +43,21 @@ struct NegativeDamping {
   double omega;  ///< [rad/s]
   double share;  ///< of the mode's largest damping, < 0
 };
-/// The most negative of each mode; none where no B_jj is below −1 % of its largest value: less is
-/// the solver's error where B nearly vanishes.
+/// The most negative of each mode; none where no B_jj is below zero by kNegativeDampingShare of its
+/// largest value.
 std::vector<NegativeDamping> negativeDampings(const CoefficientTables& coefficients);
-/// The most negative of all modes.
-std::optional<NegativeDamping> negativeDamping(const CoefficientTables& coefficients);
+/// They in words, a line each, with mode, frequency and size.
+std::vector<std::string> dampingWarnings(const CoefficientTables& coefficients);
 
-/// What the panels do not carry below `resolvedOmega`, a line each, with mode, frequency and size:
-/// damping below zero; A or B that differ from their transposes, as the solver found them, by more
-/// than a tenth of √(A_jj A_kk). Empty: nothing to say.
-std::vector<std::string> panelWarnings(const CoefficientTables& coefficients);
+/// What the panels do not carry below `resolvedOmega`, a line each: damping below zero, unless
+/// `unfinishedBecause` says it already; A or B that differ from their transposes, as the solver
+/// found them, by more than a tenth of √(A_jj A_kk). Empty: nothing to say.
+std::vector<std::string> panelWarnings(const Coefficients& coefficients);
 
 /// Why these coefficients, whose limit is not to be trusted, have no memory.
+/// @param damping  their dampingWarnings.
 std::string unfinishedReason(const GridNeeds& grid, const ConsistentLimit& limit,
-                             const std::optional<NegativeDamping>& negative);
+                             const std::vector<std::string>& damping);
 /// The same of a single frequency.
 std::string singleFrequencyReason(const GridNeeds& grid);
 

@@ -7,6 +7,7 @@
 #include "hydro/base/Fnv1a.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/database/ForwardSpeed.h"
+#include "hydro/excitation/WaveExcitation.h"
 #include "hydro/forces/SeaTables.h"
 #include "hydro/memory/RadiationModel.h"
 #include "hydro/memory/Resonances.h"
@@ -64,6 +65,12 @@ std::shared_ptr<const RadiationModel> Hydrodynamics::radiation() const {
   const std::lock_guard lock(mutex_);
   if (!radiation_) radiation_ = std::make_shared<RadiationModel>(*coefficients_, form_);
   return radiation_;
+}
+
+const WaveExcitation& Hydrodynamics::excitation() const {
+  const std::lock_guard lock(mutex_);
+  if (!excitation_) excitation_ = std::make_unique<WaveExcitation>(*coefficients_, form_);
+  return *excitation_;
 }
 
 const SpeedStability& Hydrodynamics::stability() const {

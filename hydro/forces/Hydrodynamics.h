@@ -13,6 +13,7 @@ namespace cutwater {
 class RadiationModel;
 class SeaState;
 struct SeaCache;  // of SeaTables
+class WaveExcitation;
 
 /// What all ships of one database share. Make it once, give it to every ship:
 ///     const auto frigate = cutwater::readHydrodynamics("frigate.h5");
@@ -45,6 +46,8 @@ class Hydrodynamics {
   /// Internal: retardation functions and their fit, made once.
   /// @throws HydroError as RadiationModel.
   std::shared_ptr<const RadiationModel> radiation() const;
+  /// Internal: forces of single waves, made once.  @throws HydroError as WaveExcitation.
+  const WaveExcitation& excitation() const;
   /// Speeds at which the ship's own motions grow, in this form and with its own supplementary
   /// terms. Found once, in some hundredths of a second.  @throws HydroError as radiation().
   const SpeedStability& stability() const;
@@ -62,6 +65,7 @@ class Hydrodynamics {
   std::uint64_t key_;
   mutable std::mutex mutex_;
   mutable std::shared_ptr<const RadiationModel> radiation_;
+  mutable std::unique_ptr<const WaveExcitation> excitation_;
   mutable std::optional<SpeedStability> stability_;
   mutable std::vector<std::shared_ptr<SeaCache>> seas_;  // the last one asked for comes last
 };

@@ -33,8 +33,7 @@ bool SeaCache::isOf(const SeaState& sea) const noexcept {
 std::shared_ptr<const ExcitationTable> SeaTables::following() const {
   const std::lock_guard lock(cache_->mutex);
   if (!cache_->following) {
-    cache_->following =
-        std::make_shared<ExcitationTable>(hydro_->coefficients(), *sea_, hydro_->form());
+    cache_->following = std::make_shared<ExcitationTable>(hydro_->excitation(), *sea_);
   }
   return cache_->following;
 }
@@ -47,7 +46,7 @@ CourseForces forcesOn(const Hydrodynamics& hydro, const SeaState& sea, double he
                       double speed) {
   CourseForces forces{heading, speed, {}};
   if (sea.components().empty()) return forces;
-  const WaveExcitation excitation(hydro.coefficients(), hydro.form());
+  const WaveExcitation& excitation = hydro.excitation();
   for (std::size_t i = 0; i < sea.components().size(); ++i) {
     const WaveComponent& wave = sea.components()[i];
     try {

@@ -9,6 +9,7 @@
 #include "hydro/bem/BuildCoefficients.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/database/Interpolation.h"
+#include "hydro/finish/GridNeeds.h"
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/memory/RadiationModel.h"
 #include "tests/bem/Frigate.h"
@@ -107,6 +108,22 @@ TEST(Finish, AGridTooCoarseIsUnfinishedAndSaysWhatWouldDo) {
   for (const char* word : {"0.2 rad/s", "0.1 rad/s (0.36 sqrt(g/L))", "A(inf)", "2 %"})
     EXPECT_NE(c.unfinishedBecause.find(word), std::string::npos) << c.unfinishedBecause;
   EXPECT_EQ(c.unfinishedBecause.find('\n'), std::string::npos);
+}
+
+// The reason says it, and no second warning does.
+TEST(Finish, NegativeDampingOfUnfinishedCoefficientsIsSaidOnce) {
+  SolverOutput output = frigateOutput(30, 0.2);
+  double most = 0.0;
+  for (const Mat6& B : output.damping) most = std::max(most, B(Heave, Heave));
+  output.damping[4](Heave, Heave) = -0.03 * most;
+  const Coefficients c = finish(output);
+  ASSERT_EQ(c.status, CoefficientStatus::Unfinished);
+  const std::string said = "damping in heave near 1 rad/s, where it is -3 % of its largest";
+  const std::size_t first = c.unfinishedBecause.find(said);
+  ASSERT_NE(first, std::string::npos) << c.unfinishedBecause;
+  EXPECT_EQ(c.unfinishedBecause.find(said, first + 1), std::string::npos);
+  EXPECT_EQ(dampingWarnings(c).size(), 1u);
+  for (const std::string& line : panelWarnings(c)) EXPECT_EQ(line.find("damping in"), line.npos);
 }
 
 TEST(Finish, ARangeTooShortIsUnfinishedAndSaysWhatWouldDo) {

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "hydro/Errors.h"
+#include "hydro/excitation/ExcitationTable.h"
+#include "hydro/excitation/WaveExcitation.h"
 #include "hydro/forces/SeaTables.h"
 #include "hydro/memory/RadiationModel.h"
 #include "tests/excitation/TableBox.h"
@@ -38,6 +40,27 @@ TEST(Hydrodynamics, ThreadsThatAskTogetherGetOneRadiationModel) {
   for (auto& model : got) threads.emplace_back([&] { model = ship.radiation(); });
   for (std::thread& thread : threads) thread.join();
   for (const auto& model : got) EXPECT_EQ(model, got.front());
+}
+
+// Of them the hull is cut for what its panels lack; the answers are those of forces made anew.
+TEST(Hydrodynamics, ForcesOfSingleWavesAreMadeOnceAndAreTheSame) {
+  const auto ship = std::make_shared<const Hydrodynamics>(test::tableBox());
+  const auto sea = std::make_shared<const SeaState>(test::tableSea(5));
+  const SeaTables tables(ship, sea);
+  const auto exact = tables.exact(0.1, 2.0);
+  const auto following = tables.following();
+  EXPECT_EQ(&ship->excitation(), &ship->excitation());
+  const WaveExcitation anew(ship->coefficients(), ship->form());
+  const ExcitationTable table(ship->coefficients(), *sea, ship->form());
+  EXPECT_EQ(following->error(), table.error());
+  for (std::size_t i = 0; i < sea->components().size(); ++i) {
+    const WaveComponent& wave = sea->components()[i];
+    const auto force = anew.at(wave.omega, wave.heading + 0.1, 2.0);
+    EXPECT_EQ(exact->components[i][0], force.froudeKrylov);
+    EXPECT_EQ(exact->components[i][1], force.diffraction);
+    EXPECT_EQ(following->froudeKrylov(i, 0.4), table.froudeKrylov(i, 0.4));
+    EXPECT_EQ(following->diffraction(i, 0.4, 3.0), table.diffraction(i, 0.4, 3.0));
+  }
 }
 
 TEST(SeaTables, NullPointersAreRefused) {

@@ -201,7 +201,7 @@ TEST(SolveRegression, ABargeOfNegativeDampingHasNoMemory) {
   settings.threads = 2;
   const Coefficients c = solve(afloat(hull, {.cog = {0, 0, 1}}).ship, settings);
   EXPECT_EQ(c.status, CoefficientStatus::Unfinished);
-  EXPECT_NE(c.unfinishedBecause.find("damping in heave is -"), std::string::npos)
+  EXPECT_NE(c.unfinishedBecause.find("damping in heave near"), std::string::npos)
       << c.unfinishedBecause;
 }
 

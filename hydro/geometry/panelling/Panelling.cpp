@@ -25,11 +25,13 @@ constexpr double kLeastRatio = 1.2, kUsualRatio = 1.6, kEnoughRows = 10.0, kUppe
 // side. They may be kLongest times as long as deep; crowding towards calm water and the ends makes
 // room.
 constexpr double kMostRatio = 2.4, kLonger = 1.06, kMostLacking = 0.0045 * 1040, kLongest = 2.7;
+// Shorter again where panels crowd at corners and too many would be stretched.
+constexpr double kShortestRatio = 1.0;
 constexpr double kLeastWaterCrowding = 0.05, kLeastEndCrowding = 0.1, kMostEndCrowding = 0.2;
 constexpr double kMostStretched = 0.045;
 constexpr int kTries = 12;  // to meet the count
 constexpr double kMostExcess = 0.02;
-constexpr double kCloseEnough = 0.01;  // of the count
+constexpr double kCloseEnough = 0.01, kFarOff = 0.05;  // of the count
 
 SurfaceMesh withoutSlivers(const SurfaceMesh& mesh) {
   SurfaceMesh out{mesh.vertices, {}};
@@ -61,6 +63,7 @@ class HullPanels {
     ratio_ = lengthPerGirth(girthwise);
     girthwise *= std::sqrt(kLeastRatio / ratio_);
     SurfaceMesh best = nearest(wanted, girthwise);
+    if (stretchedShare(best) > kMostStretched) relieve(best, wanted, girthwise);
     while (ratio_ < kMostRatio && (lacking(best) > kMostLacking || gapIn(best))) {
       ratio_ *= kLonger;
       girthwise /= std::sqrt(kLonger);
@@ -75,6 +78,26 @@ class HullPanels {
   }
 
  private:
+  /// Where corners alone make panels stretched: shorter and shorter ones, then less crowding.
+  void relieve(SurfaceMesh& best, double wanted, double& girthwise) {
+    corners_ = 0.0;
+    const SurfaceMesh plain = nearest(wanted, girthwise);
+    const bool ofCorners = stretchedShare(plain) <= kMostStretched;
+    corners_ = 1.0;
+    while (ofCorners && stretchedShare(best) > kMostStretched && corners_ > 0.1) {
+      if (ratio_ > kShortestRatio) {
+        ratio_ /= kLonger;
+        girthwise *= std::sqrt(kLonger);
+      } else {
+        corners_ *= 0.7;
+      }
+      SurfaceMesh next = nearest(wanted, girthwise);
+      const double off = static_cast<double>(next.faces.size()) / wanted - 1;
+      const bool good = !gapIn(next) && std::abs(off) < kFarOff;
+      if (good && stretchedShare(next) < stretchedShare(best)) best = std::move(next);
+    }
+  }
+
   /// Volume, as if that went with the number of panels exactly.
   double lacking(const SurfaceMesh& panels) const {
     const double aSide = static_cast<double>(panels.faces.size()) / (symmetric_ ? 1 : 2);
@@ -119,7 +142,7 @@ class HullPanels {
     const double water = std::max(kLeastWaterCrowding, 1 - 1.2 * ratio_ / kUppermostRatio);
     const double ends = kLongest * (1 - water) / ratio_ - 1;
     return {girthwise, ratio_ * girthwise, water,
-            std::clamp(ends, kLeastEndCrowding, kMostEndCrowding)};
+            std::clamp(ends, kLeastEndCrowding, kMostEndCrowding), corners_};
   }
 
   double lengthPerGirth(double girthwise) const {
@@ -167,7 +190,7 @@ class HullPanels {
   std::string name_;
   bool symmetric_;
   std::optional<SectionCutter> cutter_;
-  double area_, volume_, ratio_ = kLeastRatio;
+  double area_, volume_, ratio_ = kLeastRatio, corners_ = 1.0;
   std::vector<SectionStrand> strands_;
 };
 

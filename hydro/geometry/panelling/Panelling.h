@@ -12,12 +12,12 @@ inline constexpr int kFewestPanels = 20, kMostPanels = 20'000;
 ///
 /// The hull is cut at stations, x = const or leaning as its ends do, closer together at the ends.
 /// Each section is divided from calm water to the keel (of one hull of a catamaran: to calm water
-/// again), closer together towards calm water. Neighbouring sections are joined by quadrilaterals,
-/// and by triangles where the shorter one has fewer parts. Knuckles along and across the hull
-/// become panel edges; flat ends (transoms) get panels of their own. Panels are longer than deep,
-/// up to 2.4 times where fewer rows would leave volume out. Corners lie on the given surface, so
-/// volume and area are below the hull's by the second order of the panel size; corners on the
-/// waterline stay at z = 0.
+/// again), closer together towards calm water and at bilges, the closer the sharper. Neighbouring
+/// sections are joined by quadrilaterals, and by triangles where the shorter one has fewer parts.
+/// Knuckles along and across the hull become panel edges; flat ends (transoms) get panels of their
+/// own. Panels are longer than deep, up to 2.4 times where fewer rows would leave volume out.
+/// Corners lie on the given surface, so volume and area are below the hull's by the second order of
+/// the panel size; corners on the waterline stay at z = 0.
 ///
 /// @param name  of the hull's file, for messages.
 /// @return the wet panels: of the port half if hull.symmetric, else of both sides (then 2·count of

@@ -25,7 +25,7 @@ class StrandPanels {
     const std::vector<std::vector<double>> corners = rowCorners(curves);
     std::vector<BendMeasure> measures;
     for (std::size_t k = 0; k < curves.size(); ++k)
-      measures.emplace_back(curves[k], corners[k], size_.girthwise);
+      measures.emplace_back(curves[k], corners[k], size_.girthwise, size_.corners);
     const std::vector<double> counts =
         rowCounts(measures, enclosing(curves[curves.size() / 2]) ? 3.0 : 1.0);
     std::vector<PanelRow> rows;

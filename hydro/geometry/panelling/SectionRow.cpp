@@ -50,7 +50,8 @@ std::vector<double> roomyCorners(const SectionCurve& curve, double size, double 
 }
 
 SectionRow sectionRow(const SectionCurve& curve, const PanelSize& size) {
-  const BendMeasure measure(curve, roomyCorners(curve, size.girthwise, kKnuckle), size.girthwise);
+  const BendMeasure measure(curve, roomyCorners(curve, size.girthwise, kKnuckle), size.girthwise,
+                            size.corners);
   const Crowding crowding{curve.points.front().z() == 0.0, curve.points.back().z() == 0.0,
                           size.waterCrowding};
   const Division division =

@@ -5,9 +5,10 @@
 namespace cutwater {
 
 /// Mean lengths of panel edges [m] across and along the sections, and how much shorter than the
-/// mean they are: those across at calm water, those along at the ends (Crowding::c).
+/// mean they are: those across at calm water, those along at the ends (Crowding::c). `corners`: how
+/// much corners count in the BendMeasure.
 struct PanelSize {
-  double girthwise = 1.0, lengthwise = 1.0, waterCrowding = 0.0, endCrowding = 0.0;
+  double girthwise = 1.0, lengthwise = 1.0, waterCrowding = 0.0, endCrowding = 0.0, corners = 1.0;
 };
 
 /// A section divided into panel edges without regard to its neighbours.

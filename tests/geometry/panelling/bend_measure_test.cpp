@@ -42,22 +42,49 @@ TEST(BendMeasureClosedForm, ATurnOfOneRadianCountsAsFourTenthsOfAPanel) {
     }
 }
 
-TEST(BendMeasureClosedForm, ATurnAtACornerDoesNotCount) {
-  const BendMeasure with(boxSection(), {2.0}, 0.5), without(boxSection(), {}, 0.5);
-  EXPECT_NEAR(with.total(), 6.0, 1e-6);
-  ASSERT_EQ(with.corners().size(), 1u);
-  EXPECT_NEAR(with.corners()[0], 2.0, 1e-6);
-  EXPECT_NEAR(with.arcAt(with.corners()[0]), 2.0, 1e-12);
-  // Turns in one plane add up to a right angle, wherever chords begin; the chord across the corner
-  // is shorter than its part of the length, which is what counts.
-  EXPECT_NEAR(without.total(), 6.0 + 0.4 * 0.5 * kPi / 2, 1e-6);
+// ∫(1 + w e^{−d/size}) ds along both straight lines, w = 90° − 20°.
+TEST(BendMeasureClosedForm, ACornerCountsOnBothSidesAndFadesAlongThem) {
+  const double w = 70 * kPi / 180;
+  for (const double size : {0.3, 0.5, 2.0}) {
+    const auto extra = [&](double length) { return w * size * (1 - std::exp(-length / size)); };
+    const BendMeasure measure(boxSection(), {2.0}, size);
+    ASSERT_EQ(measure.corners().size(), 1u);
+    EXPECT_NEAR(measure.corners()[0], 2.0 + extra(2.0), 1e-6);
+    EXPECT_NEAR(measure.total(), 6.0 + extra(2.0) + extra(4.0), 1e-6);
+    EXPECT_NEAR(measure.arcAt(measure.corners()[0]), 2.0, 1e-12);
+    // 1 + w times denser at the corner; the steps of the measure, 0.15 of a panel, blur it.
+    const double near = 0.01 * size;
+    EXPECT_NEAR(measure.arcAt(measure.corners()[0] + near) - 2.0, near / (1 + w), 0.1 * near);
+  }
 }
 
+// A hollow corner, as of a keel's foot, has slow water; of a soft one nothing is left at 20°.
+TEST(BendMeasureClosedForm, AHollowCornerDoesNotCountAndASoftOneFadesOut) {
+  const BendMeasure hollow(curveThrough({{0, 4, 0}, {0, 1, 0}, {0, 1, -3}}), {3.0}, 0.5);
+  EXPECT_NEAR(hollow.total(), 6.0, 1e-6);
+  const auto soft = [](double degrees) {
+    const double a = degrees * kPi / 180;
+    const SectionCurve curve =
+        curveThrough({{0, 5, 0}, {0, 5, -3}, {0, 5 - 3 * std::sin(a), -3 - 3 * std::cos(a)}});
+    return BendMeasure(curve, {3.0}, 0.5).total();
+  };
+  EXPECT_NEAR(soft(19.9), 6.0, 1e-6);
+  EXPECT_NEAR(soft(21), 6.0 + kPi / 180 * 2 * 0.5 * (1 - std::exp(-6.0)), 1e-6);
+}
+
+TEST(BendMeasureClosedForm, ACornerThatIsNotNamedIsABend) {
+  // Turns in one plane add up to a right angle, wherever chords begin; the chord across the corner
+  // is shorter than its part of the length, which is what counts.
+  EXPECT_NEAR(BendMeasure(boxSection(), {}, 0.5).total(), 6.0 + 0.4 * 0.5 * kPi / 2, 1e-6);
+}
+
+// The mirror image, walked along from its other end, still down one side and along the bottom.
 TEST(BendMeasureIdentity, ItDoesNotMatterWhereTheCurveBegins) {
   SectionCurve curve =
       curveThrough({{0, 5, 0}, {0, 5, -1}, {0, 4, -3}, {0, 2, -3.5}, {0, 0, -3.6}});
   std::vector<Vec3> points = curve.points;
   std::reverse(points.begin(), points.end());
+  for (Vec3& p : points) p.y() *= -1.0;
   const double corner = 1.0, size = 0.4;
   const BendMeasure a(curve, {corner}, size),
       b(curveThrough(points), {curve.length() - corner}, size);

@@ -59,7 +59,7 @@ TEST(SectionPanelsClosedForm, ABoxIsCoveredExactly) {
 TEST(SectionPanels, TheNumberOfPanelsIsTheAreaByTheirSize) {
   const SurfaceMesh box = wetBox({60, 16, 4, 1}, 12, 4, 2);
   for (const double girthwise : {0.7, 1.0, 1.7}) {
-    const PanelSize size{girthwise, 1.5 * girthwise, 0.05, 0.1};
+    const PanelSize size{girthwise, 1.5 * girthwise, 0.05, 0.1, 0.0};
     const double due = surfaceArea(box) / (size.girthwise * size.lengthwise);
     // Ends are divided in squares, and parts come in whole numbers.
     EXPECT_NEAR(static_cast<double>(strandPanels(box, size).faces.size()) / due, 1.0, 0.15);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "hydro/geometry/panelling/SectionRow.h"
 
@@ -42,13 +43,23 @@ TEST(SectionRow, ACornerNeedsRoomForAPanelOnEitherSide) {
 }
 
 TEST(SectionRowClosedForm, ABoxIsDividedFromItsEndsToItsKnuckle) {
-  const SectionRow row = sectionRow(halfBox(), {1.0, 2.0, 0.0, 0.0});
+  const SectionRow row = sectionRow(halfBox(), {1.0, 2.0, 0.0, 0.0, 0.0});  // no corners counted
   EXPECT_EQ(row.breaks, (std::vector<int>{0, 2, 6}));
   ASSERT_EQ(row.points.size(), 7u);
   const Vec3 wanted[] = {{0, 4, 0},  {0, 4, -1}, {0, 4, -2}, {0, 3, -2},
                          {0, 2, -2}, {0, 1, -2}, {0, 0, -2}};
   // Turns of straight chords are the root of round-off, 1e-8.
   for (std::size_t i = 0; i < 7; ++i) EXPECT_LT((row.points[i] - wanted[i]).norm(), 1e-6) << i;
+}
+
+TEST(SectionRow, PanelsAreNarrowerTowardsASharpBilgeOnBothSides) {
+  const SectionRow row = sectionRow(halfBox(), {1.0, 2.0, 0.0, 0.0});
+  ASSERT_EQ(row.breaks.size(), 3u);
+  std::vector<double> edges = edgeLengths(row);
+  const auto bilge = edges.begin() + row.breaks[1];
+  EXPECT_TRUE(std::is_sorted(edges.begin(), bilge, std::greater<>()));
+  EXPECT_TRUE(std::is_sorted(bilge, edges.end()));
+  EXPECT_LT(*bilge, 0.75);  // 1 + w e^{−d} = 1.9 times denser half a panel from it
 }
 
 TEST(SectionRow, PanelsAreNarrowerTowardsCalmWaterOnly) {
