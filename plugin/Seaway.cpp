@@ -267,6 +267,7 @@ void Seaway::clearFaults() noexcept {
 void Seaway::beforeTick(btScalar step) noexcept {
   if (!solverCarriesAddedMass(world_)) raise(kSolverNotSupported);
   step_ = step;
+  for (const auto& ship : ships_) raise(ship->keepConstraints());
   const auto one = [](void* self, std::size_t i) {
     auto& s = *static_cast<Seaway*>(self);
     s.shipFaults_[i] = s.ships_[i]->beginTick(s.time_, s.step_);

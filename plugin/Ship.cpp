@@ -152,7 +152,7 @@ void Ship::forget() noexcept {
 // v⁻ is the velocity as it is; a filtered course begins at it.
 void Ship::startAgain() noexcept {
   turnAddedMass(headingAxes());
-  rig_->addedMass.lent->forgetPast();
+  added().forgetPast();
   velocityAfter_ = velocityInEarth(body_->getLinearVelocity(), body_->getAngularVelocity());
   velocityBefore_ = velocityAfter_;
   lastStep_ = stepBefore_ = 0.0;
@@ -354,13 +354,8 @@ std::uint32_t Ship::beginTick(double time, btScalar step) noexcept {
   };
   enable(false);
   if (!body_->isInWorld()) return kBodyNotInWorld;
-  std::uint32_t faults = kStepOk;
-  try {
-    faults = keepConstraints();
-  } catch (...) {  // no memory for a new one
-    return kConstraintRemoved;
-  }
-  faults |= mendState() | lookForChanges();
+  if (!rig_->addedMass.lent) return kStepOk;  // no memory for a new one: said already
+  std::uint32_t faults = mendState() | lookForChanges();
   const int activation = body_->getActivationState();
   if (activation == ISLAND_SLEEPING || activation == DISABLE_SIMULATION) {
     now_ = Now::Asleep;
@@ -393,7 +388,7 @@ std::uint32_t Ship::tick(double time, btScalar step) noexcept {
   turnByInertia(length);
   holdLockedYaw(length);
   turnAddedMass(heading);
-  AddedMassConstraint& addedMass = *rig_->addedMass.lent;
+  AddedMassConstraint& addedMass = added();
   const Vec3 mean = rotationZ(headingAtSolve_) * Vec3(input_.speed, 0.0, 0.0);
   addedMass.setMean(frame_.length(mean), input_.meanHeading - headingAtSolve_, frame_.upwards());
   addedMass.beginTick(step);
@@ -403,9 +398,7 @@ std::uint32_t Ship::tick(double time, btScalar step) noexcept {
 
 // A∞ follows the ship's heading, not its heel: it belongs to the upright axes of linear theory, as
 // K and C do; turned with a hull that rolls, heave would excite sway at second order.
-void Ship::turnAddedMass(const Mat3& heading) noexcept {
-  rig_->addedMass.lent->follow(frame_.rotation(heading));
-}
+void Ship::turnAddedMass(const Mat3& heading) noexcept { added().follow(frame_.rotation(heading)); }
 
 void Ship::aimRestraint(const Mat3& heading, double step) noexcept {
   if (!rig_->restraint.lent) return;
@@ -428,7 +421,7 @@ void Ship::aimRestraint(const Mat3& heading, double step) noexcept {
 
 std::uint32_t Ship::endTick(btScalar step) noexcept {
   if (now_ != Now::Ticks) return kStepOk;
-  AddedMassConstraint& addedMass = *rig_->addedMass.lent;
+  AddedMassConstraint& addedMass = added();
   addedMass.endTick();
   const std::uint32_t faults = mendState();
   if ((faults & kStateNotFinite) != 0)

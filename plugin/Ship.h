@@ -248,8 +248,11 @@ class Ship {
   /// Makes what depends on the tick's length [s]: before the first tick, or that tick will.
   /// @throws HydroError ValueOutOfRange.
   void prepare(double step);
+  /// Sees to it that our constraints stand in the world's list; StepFault bits. Seaway calls these
+  /// three, the first for one ship after the other.
+  std::uint32_t keepConstraints() noexcept;
   /// One evaluation of all loads at t_n and their impulses; StepFault bits. Touches nothing but
-  /// this ship and its body. Seaway calls these.
+  /// this ship and its body.
   std::uint32_t beginTick(double time, btScalar step) noexcept;
   std::uint32_t endTick(btScalar step) noexcept;
   /// Of somebody else's constraint that holds our own body; null: none. Seaway asks it.
@@ -310,7 +313,7 @@ class Ship {
   void leaveWorld();
   void bodyDeleted();
   void motionStateDeleted() noexcept;
-  std::uint32_t keepConstraints();
+  AddedMassConstraint& added() const;
   std::uint32_t mendState() noexcept;
   std::uint32_t lookForChanges() noexcept;
   std::uint32_t lookForMoves() noexcept;

@@ -111,24 +111,36 @@ btTypedConstraint* Ship::foreignConstraint() const noexcept {
   return nullptr;
 }
 
-// A constraint of ours that somebody took out, or deleted, is put back for this tick.
-std::uint32_t Ship::keepConstraints() {
-  std::uint32_t faults = kStepOk;
-  RigConstraint<AddedMassConstraint>& added = rig_->addedMass;
-  if (!added.lent) {
-    added.lent.make(*body_, frame_.mass(coefficients().addedMass.atInfinity));
-    added.lent->setActive(parts_[addedMassPart_].on);
-    startAgain();
+// A new one for one that somebody deleted; what happened before is not felt by it.
+AddedMassConstraint& Ship::added() const {
+  Lent<AddedMassConstraint>& lent = rig_->addedMass.lent;
+  if (!lent) {
+    lent.make(*body_, frame_.mass(coefficients().addedMass.atInfinity));
+    lent->follow(frame_.rotation(headingAxes()));
+    lent->forgetPast();
+    lent->setActive(parts_[addedMassPart_].on);
   }
-  const bool restrains = std::count(restrained_.begin(), restrained_.end(), true) > 0;
-  if (restrains && !rig_->restraint.lent) rig_->restraint.lent.make(*body_, restrained_);
+  return *lent;
+}
+
+// A constraint of ours that somebody took out, or deleted, is put back for this tick.
+std::uint32_t Ship::keepConstraints() noexcept {
+  if (!body_->isInWorld()) return kStepOk;
+  std::uint32_t faults = kStepOk;
   const auto putBack = [&](auto& ours) {
     if (!ours.lent || stands(world_, ours)) return;
-    world_.addConstraint(ours.lent.get());
     faults |= kConstraintRemoved;
+    world_.addConstraint(ours.lent.get());
   };
-  putBack(added);
-  putBack(rig_->restraint);
+  try {
+    added();
+    const bool restrains = std::count(restrained_.begin(), restrained_.end(), true) > 0;
+    if (restrains && !rig_->restraint.lent) rig_->restraint.lent.make(*body_, restrained_);
+    putBack(rig_->addedMass);
+    putBack(rig_->restraint);
+  } catch (...) {  // no memory for a new one
+    faults |= kConstraintRemoved;
+  }
   return faults;
 }
 

@@ -143,7 +143,7 @@ void Ship::setEnabled(std::string_view name, bool on) {
   part.on = on;
   record_.loads[i].setZero();
   if (on && part.force) part.force->reset();
-  if (i == addedMassPart_) rig_->addedMass.lent->setActive(on);
+  if (i == addedMassPart_) added().setActive(on);
   partsChanged();
 }
 

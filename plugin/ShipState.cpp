@@ -120,7 +120,7 @@ double Ship::offCourse() const noexcept {
   return std::hypot(at.x() - course_.x(), at.y() - course_.y());
 }
 
-const AddedMassConstraint& Ship::addedMass() const noexcept { return *rig_->addedMass.lent; }
+const AddedMassConstraint& Ship::addedMass() const noexcept { return added(); }
 
 double Ship::draught(double time, double x) const noexcept {
   const Vec3 keel =
@@ -246,7 +246,7 @@ void Ship::restoreParts(const Snapshot& s) {
     const bool on = s.enabled[i] != 0;
     changed = changed || part.on != on;
     part.on = on;
-    if (i == addedMassPart_) rig_->addedMass.lent->setActive(on);
+    if (i == addedMassPart_) added().setActive(on);
     if (!part.force) continue;
     if (s.sizes[i] > 0) {
       part.force->restore({from, s.sizes[i]});
@@ -269,7 +269,7 @@ void Ship::restore(const Snapshot& s) {
   body_->setInterpolationLinearVelocity(s.velocities[2]);
   body_->setInterpolationAngularVelocity(s.velocities[3]);
   body_->forceActivationState(s.activation);
-  rig_->addedMass.lent->setPast(s.past[0], s.past[1], s.pastAxes);
+  added().setPast(s.past[0], s.past[1], s.pastAxes);
   velocityAfter_ = velocityInEarth(s.past[0], s.past[1]);
   velocityBefore_ = s.before;
   lastStep_ = s.lastStep;

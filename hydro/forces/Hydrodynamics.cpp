@@ -8,7 +8,7 @@
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/excitation/WaveExcitation.h"
-#include "hydro/forces/SeaTables.h"
+#include "hydro/forces/SeaCache.h"
 #include "hydro/memory/RadiationModel.h"
 #include "hydro/memory/Resonances.h"
 #include "hydro/memory/SpeedStability.h"

@@ -7,6 +7,7 @@
 #include "hydro/excitation/ExcitationTable.h"
 #include "hydro/excitation/WaveExcitation.h"
 #include "hydro/forces/Hydrodynamics.h"
+#include "hydro/forces/SeaCache.h"
 
 namespace cutwater {
 
@@ -20,15 +21,6 @@ SeaTables::SeaTables(std::shared_ptr<const Hydrodynamics> hydrodynamics,
 }
 
 SeaTables::~SeaTables() = default;
-
-bool SeaCache::isOf(const SeaState& sea) const noexcept {
-  const auto same = [](const WaveComponent& a, const WaveComponent& b) {
-    return a.omega == b.omega && a.heading == b.heading;
-  };
-  const auto mine = waves.components(), other = sea.components();
-  return waves.gravity() == sea.gravity() &&
-         std::equal(mine.begin(), mine.end(), other.begin(), other.end(), same);
-}
 
 std::shared_ptr<const ExcitationTable> SeaTables::following() const {
   const std::lock_guard lock(cache_->mutex);

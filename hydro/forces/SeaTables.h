@@ -1,40 +1,19 @@
 #pragma once
 #include <memory>
-#include <mutex>
-#include <vector>
 
-#include "hydro/Conventions.h"
 #include "hydro/waves/SeaState.h"
 
 namespace cutwater {
 
 class ExcitationTable;
 class Hydrodynamics;
+struct CourseForces;
+struct SeaCache;
 
 /// The two parts of a linear wave load.
 enum class WaveLoad { FroudeKrylov, Diffraction };
 /// What columns and settings call them.
 inline constexpr const char* kWaveLoadNames[2] = {"froude_krylov", "diffraction"};
-
-/// Exact wave loads on a ship of one course and speed: per component of the sea the force [N/m,
-/// N·m/m] per metre of amplitude, in H.
-struct CourseForces {
-  double heading = 0.0, speed = 0.0;             ///< ψ̄ [rad], U [m/s]
-  std::vector<std::array<CVec6, 2>> components;  ///< [component][WaveLoad]
-};
-
-/// Wave loads on one ship's hull, per metre of amplitude, made when first asked for. They belong to
-/// frequencies and headings; seas that differ in heights and phases alone share them.
-struct SeaCache {
-  explicit SeaCache(const SeaState& sea) : waves(sea) {}
-  bool isOf(const SeaState& sea) const noexcept;
-
-  static constexpr std::size_t kCoursesKept = 16;
-  SeaState waves;
-  std::mutex mutex;  // of what follows
-  std::shared_ptr<const ExcitationTable> following;
-  std::vector<std::shared_ptr<const CourseForces>> exact;  // the last one asked for comes last
-};
 
 /// What all ships of one Hydrodynamics share in one sea. Seaway makes and keeps it; it can be
 /// exchanged for that of another sea. Its loads are kept by the Hydrodynamics. Any thread may call.

@@ -8,6 +8,7 @@
 #include "hydro/Errors.h"
 #include "hydro/excitation/ExcitationTable.h"
 #include "hydro/excitation/WaveExcitation.h"
+#include "hydro/forces/SeaCache.h"
 #include "hydro/forces/SeaTables.h"
 #include "hydro/memory/RadiationModel.h"
 #include "tests/excitation/TableBox.h"

@@ -7,6 +7,7 @@
 
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/forces/SeaTables.h"
+#include "hydro/forces/linear/Restoring.h"
 #include "plugin/AddedMassConstraint.h"
 #include "tests/plugin/TestScene.h"
 #include "tests/support/Results.h"
@@ -604,8 +605,8 @@ TEST(ShipGuard, SmallInertiasKeepTheirGyroscopicTerm) {
     return ship.attitude();
   };
   const Vec3 usual = turned(1.0), small = turned(1e12);
-  EXPECT_GT(std::abs(usual[1]), 0.01);  // pitch comes from nothing but roll times yaw
-  EXPECT_LT((small - usual).norm(), 1e5 * kEpsilon);
+  EXPECT_GT(std::abs(usual[1]), 0.002);     // pitch comes from nothing but roll times yaw
+  EXPECT_LT((small - usual).norm(), 1e-4);  // without the term pitch is 0.002 off
 }
 
 // Far outside the theory.
@@ -624,24 +625,49 @@ TEST(ShipGuard, ThrownFromAKilometreItComesToRest) {
   }
 }
 
-// Rolled over and over with the water's forces of waves and radiation off: restoring has a
-// potential, so that the spin comes back to what it was at each turn. A moment that jumped at
-// 180 degrees would add to it turn by turn. The scheme is of second order in the tick.
+// Rolled over and over without radiation and brake: restoring has a potential, so that the spin is
+// what it was at each turn. A moment that jumped at 180 degrees would add to it turn by turn.
+// Bound: what the scheme, of second order in the tick, leaves: (2.5/64)² of the spin a radian.
 TEST(ShipGuard, RolledOverAndOverItGainsNoEnergy) {
-  for (const int mode : {Roll, Pitch}) {
-    Scene scene({.start = {.velocity = one(mode, 2.5)}}, {}, slenderShip());
-    for (const char* part : {"radiation", "supplementary"}) scene.sphere->setEnabled(part, false);
-    double low = 1e9, high = 0.0;
-    for (int i = 0; i < 64 * 300; ++i) {
-      scene.run(1);
-      const Vec3 angles = motionAngles(fromBullet(bodyOf(scene).getWorldTransform().getBasis()));
-      if (std::abs(angles[mode - 3]) > 0.1 || i < 640) continue;
-      const double spin = std::abs(scene.sphere->velocity()[mode]);
-      low = std::min(low, spin);
-      high = std::max(high, spin);
+  const auto spinAfterTurns = [](int mode) {
+    Restoring restoring(slenderShip().ship);
+    const ShipParticulars ship = slenderShip().ship;
+    const double inertia = ship.massMatrix()(mode, mode);
+    double angle = 0.0, spin = 2.5;
+    int turns = 0;
+    for (const double step = 1.0 / 64; turns < 20;) {
+      TickInput now;
+      now.step = step;
+      now.eta[mode] = std::remainder(angle, 2.0 * kPi);
+      spin += step * restoring.evaluate(now).load[mode] / inertia;
+      angle += step * spin;
+      if (angle >= 2.0 * kPi * (turns + 1)) ++turns;
     }
-    EXPECT_GT(low, 2.3) << mode;
-    EXPECT_LT(high, 2.7) << mode;
+    return spin;
+  };
+  for (const int mode : {Roll, Pitch}) {
+    EXPECT_NEAR(spinAfterTurns(mode), 2.5, 0.02) << mode;
+  }
+}
+
+// Upside down in steep waves for half an hour: no more than it had, and no more than waves give.
+TEST(ShipGuard, CapsizedInAStormItStaysBounded) {
+  const SeaState sea({{.omega = 0.6, .amplitude = 3.0, .heading = 1.6},
+                      {.omega = 0.8, .amplitude = 2.0, .phase = 1.0, .heading = 1.2}},
+                     kSphereGravity, 10.0);
+  for (const Mean mean : {Mean::Fixed, Mean::Filtered}) {
+    Scene scene({.start = {.offset = one(Roll, 2.9) + one(Pitch, 0.4)}, .model = {.mean = mean}},
+                sea, slenderShip());
+    double fastest = 0.0, highest = 0.0;
+    for (int i = 0; i < 64 * (kDouble ? 1800 : 300); ++i) {
+      scene.run(1);
+      fastest = std::max(fastest, scene.sphere->velocity().tail<3>().norm());
+      highest = std::max(highest, std::abs(heaveOf(scene)));
+    }
+    EXPECT_EQ(scene.seaway.faults() & ~kWarningBits, kStepOk);
+    EXPECT_NE(scene.seaway.faults() & kAttitudeOutsideTheory, kStepOk);
+    EXPECT_LT(fastest, 5.0);
+    EXPECT_LT(highest, 30.0);
   }
 }
 

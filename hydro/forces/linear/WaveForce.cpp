@@ -7,6 +7,7 @@
 #include "hydro/Errors.h"
 #include "hydro/base/SimdMath.h"
 #include "hydro/excitation/ExcitationTable.h"
+#include "hydro/forces/SeaCache.h"
 
 namespace cutwater {
 
