@@ -15,22 +15,22 @@ namespace {
 // its row (κ ~ 1/√(2l)) would also begin to lose digits in single precision.
 constexpr double kSmallestRatio = 1e-6;
 
-// √M of each direction in body axes: Bullet's principal inertias are diagonal there.
-Vec6 rootOfMass(const btRigidBody& body) {
+// M of each direction in body axes: Bullet's principal inertias are diagonal there.
+Vec6 massOf(const btRigidBody& body) {
   if (!(body.getInvMass() > 0)) {
     throw HydroError(Fault::ValueOutOfRange, "AddedMassConstraint: body is static, 1/mass = 0");
   }
   const Vec3 inverseInertia = fromBullet(body.getInvInertiaDiagLocal());
-  Vec6 root;
-  root.head<3>().setConstant(std::sqrt(1.0 / static_cast<double>(body.getInvMass())));
+  Vec6 mass;
+  mass.head<3>().setConstant(1.0 / static_cast<double>(body.getInvMass()));
   for (int i = 0; i < 3; ++i) {
     if (!(inverseInertia[i] > 0.0)) {
       throw HydroError(Fault::ValueOutOfRange,
                        "AddedMassConstraint: body has no inertia about axis " + std::to_string(i));
     }
-    root[3 + i] = std::sqrt(1.0 / inverseInertia[i]);
+    mass[3 + i] = 1.0 / inverseInertia[i];
   }
-  return root;
+  return mass;
 }
 
 void store(btScalar* axis, const btVector3& v, double factor) {
@@ -71,9 +71,12 @@ btVector3 gyroscopicChange(const btRigidBody& body, btScalar step) {
 }  // namespace
 
 AddedMassConstraint::AddedMassConstraint(btRigidBody& body, const Mat6& addedMass)
+    : AddedMassConstraint(body, addedMass, massOf(body)) {}
+
+AddedMassConstraint::AddedMassConstraint(btRigidBody& body, const Mat6& addedMass, const Vec6& mass)
     : btTypedConstraint(MAX_CONSTRAINT_TYPE, body, body),
       addedMass_(0.5 * (addedMass + addedMass.transpose())),
-      root_(rootOfMass(body)) {
+      root_(mass.cwiseSqrt()) {
   if (!addedMass.allFinite()) {
     throw HydroError(Fault::ValueOutOfRange, "AddedMassConstraint: added mass is not finite");
   }

@@ -44,6 +44,9 @@ class AddedMassConstraint : public btTypedConstraint {
   ///                  negative l are clipped.
   /// @throws HydroError ValueOutOfRange: A∞ not finite, or the body is static.
   AddedMassConstraint(btRigidBody& body, const Mat6& addedMass);
+  /// The same for a body that is held still just now, by a mass of 0.
+  /// @param mass  M of the body when it is not [kg, kg·m²], diagonal in its axes, > 0.
+  AddedMassConstraint(btRigidBody& body, const Mat6& addedMass, const Vec6& mass);
 
   /// States the tick's length h [s]; call in the internal pre-tick, after all impulses.
   void beginTick(btScalar step) noexcept { step_ = step; }

@@ -1,9 +1,19 @@
 #pragma once
+#include <memory>
+#include <vector>
+
 #include "plugin/AddedMassConstraint.h"
 #include "plugin/CourseRestraint.h"
 #include "plugin/Lent.h"
 
 CUTWATER_PLUGIN_BEGIN
+
+class Ship;
+
+/// Flags of a body that a ship takes over from Bullet.
+inline constexpr int kFlagsTaken = BT_DISABLE_WORLD_GRAVITY | BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT |
+                                   BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD |
+                                   BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY;
 
 /// Keeps the pose that Bullet interpolates for drawing.
 class ShipMotionState : public btMotionState {
@@ -20,19 +30,22 @@ class ShipMotionState : public btMotionState {
 /// A constraint of ours, and where in its world's list it was seen last.
 template <class T>
 struct RigConstraint {
+  RigConstraint(typename Lent<T>::Deleted deleted, void* ship) : lent(deleted, ship) {}
   Lent<T> lent;
   int place = 0;
 };
 
 /// What of a ship stands in the world, where others may take it out or delete it.
 struct Rig {
-  Rig(void (*bodyDeleted)(void*), void (*motionStateDeleted)(void*), void* ship)
-      : motionState(motionStateDeleted, ship), body(bodyDeleted, ship) {}
+  explicit Rig(Ship& ship);
   Lent<ShipMotionState> motionState;     // of the body we made
   Lent<btRigidBody> body;                // empty: it is the user's, or was deleted
   std::unique_ptr<btRigidBody> standIn;  // for one that was deleted
   RigConstraint<AddedMassConstraint> addedMass;
   RigConstraint<CourseRestraint> restraint;
+  bool takenOut = false;  // the constraints, by us, as the body was out of the world
+  // Of a body that was deleted; to be taken out of a world that lives.
+  std::vector<btTypedConstraint*> leftOver;
 };
 
 CUTWATER_PLUGIN_END

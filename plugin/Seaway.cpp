@@ -10,6 +10,7 @@
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/forces/SeaTables.h"
 #include "plugin/SettingsCheck.h"
+#include "plugin/ShipBody.h"
 #include "plugin/ThreadPool.h"
 #include "plugin/WorldHook.h"
 
@@ -29,8 +30,6 @@ btDiscreteDynamicsWorld& checked(btDiscreteDynamicsWorld& world) {
       "two; added mass would be wrong. Use btSequentialImpulseConstraintSolver");
 }
 
-// Bullet's examples take 10 m/s²: that makes no difference to a ship, whose weight is carried.
-constexpr double kWorldGravity = 0.05;
 // The same planet, given to three digits or four: wave numbers are g's.
 constexpr double kSeaGravity = 1e-3;
 
@@ -51,7 +50,7 @@ void checkGravity(const btVector3& gravity, const WorldFrame& frame, double righ
     refuse(std::string("must point down (along -") +
            (frame.up == WorldFrame::Up::Z ? "z" : "y, as WorldFrame says") + ") or be zero");
   }
-  if (down == 0.0 || std::abs(down - right) <= kWorldGravity * right) return;
+  if (down == 0.0 || gravityFits(gravity, frame, right)) return;
   std::ostringstream line;
   line << "must be that of the database, " << right << " m/s2, here " << right / frame.metresPerUnit
        << " units/s2 (WorldFrame::metresPerUnit = " << frame.metresPerUnit << ')';
@@ -116,9 +115,15 @@ Seaway::Seaway(btDiscreteDynamicsWorld& world, SeaState sea, const WorldFrame& f
       listener_(std::make_unique<Listener>(*this)),
       hook_(std::make_unique<WorldHook>(world, *listener_)) {}
 
+bool Seaway::worldLives() const noexcept {
+  return std::any_of(ships_.begin(), ships_.end(),
+                     [](const auto& ship) { return ship->inWorld(); });
+}
+
 Seaway::~Seaway() {
-  const auto stands = [](const auto& ship) { return ship->inWorld(); };
-  if (std::any_of(ships_.begin(), ships_.end(), stands)) hook_->worldLives();
+  if (!worldLives()) return;
+  hook_->worldLives();
+  for (const auto& ship : ships_) ship->worldLives();
 }
 
 void Seaway::setThreads(unsigned threads) {
@@ -194,11 +199,13 @@ void Seaway::removeShip(Ship& ship) {
   };
   const auto isIt = [&](const auto& owned) { return owned.get() == &ship; };
   if (std::none_of(ships_.begin(), ships_.end(), isIt)) refuse("it is no ship of this sea");
-  if (const btTypedConstraint* joint = ship.foreignConstraint()) {
+  const bool lives = worldLives();
+  const btTypedConstraint* joint = lives ? ship.foreignConstraint() : nullptr;
+  if (joint != nullptr) {
     refuse("a joint of yours (" + kindOf(*joint) +
            ") still holds the body that is about to go; removeConstraint() it first");
   }
-  ship.worldLives();
+  if (lives) ship.worldLives();
   std::erase_if(ships_, [&](const auto& owned) { return owned.get() == &ship; });
   std::erase_if(tables_, [](const auto& tables) { return tables.use_count() == 1; });
 }
@@ -283,7 +290,7 @@ void Seaway::beforeTick(btScalar step) noexcept {
 void Seaway::afterTick(btScalar step) noexcept {
   for (const auto& ship : ships_) raise(ship->endTick(step));
   for (TickObserver* observer : observers_) observer->tickDone(*this);
-  time_ += static_cast<double>(step);
+  if (std::isfinite(step)) time_ += static_cast<double>(step);
   tickFaults_ = kStepOk;
 }
 

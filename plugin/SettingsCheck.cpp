@@ -30,6 +30,7 @@ class Check {
     within(field, value, -most, most);
   }
   void angle(const std::string& field, double value, double largest) const {
+    if (std::abs(value) <= largest) return;
     requireRadians(std::string(function_) + ": " + group_ + field, value, largest);
   }
 

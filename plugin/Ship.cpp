@@ -21,6 +21,7 @@ CUTWATER_PLUGIN_BEGIN
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kLargestCorrection = 0.05;  // of a locked heading in a tick [rad]
 
 }  // namespace
 
@@ -29,9 +30,7 @@ Ship::Ship(btDiscreteDynamicsWorld& world, const WorldFrame& frame,
     : world_(world),
       frame_(frame),
       tables_(std::move(tables)),
-      rig_(std::make_unique<Rig>([](void* ship) { static_cast<Ship*>(ship)->bodyDeleted(); },
-                                 [](void* ship) { static_cast<Ship*>(ship)->motionStateDeleted(); },
-                                 this)),
+      rig_(std::make_unique<Rig>(*this)),
       ownBody_(own == nullptr),
       restrained_(settings.model.restrained),
       course_(settings.model.mean == Mean::Filtered ? settings.model.followTime : 0.0),
@@ -84,11 +83,12 @@ void Ship::adoptBody(btRigidBody& own) {
   body_ = &own;
 }
 
-// What Bullet would do to the body and the ship does itself; it is given back in leaveWorld().
+// What Bullet would do to the body and the ship does itself; it is given back in giveBack().
 void Ship::takeOver() {
-  flagsFound_ = body_->getFlags();
-  body_->setFlags((flagsFound_ | BT_DISABLE_WORLD_GRAVITY) &
-                  ~BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY);
+  flagsFound_ = body_->getFlags() & kFlagsTaken;
+  gravityFound_ = body_->getGravity();
+  activationFound_ = body_->getActivationState();
+  body_->setFlags((body_->getFlags() & ~kFlagsTaken) | BT_DISABLE_WORLD_GRAVITY);
   body_->setGravity(btVector3(0, 0, 0));
   body_->forceActivationState(DISABLE_DEACTIVATION);
   inverseMass_ = body_->getInvMass();
@@ -137,6 +137,7 @@ void Ship::place(const ShipStart& start) noexcept {
   broken_ = kNone;
   lockedYaw_ = {};
   now_ = Now::Ticks;
+  begun_ = false;
   forget();
   remember();
 }
@@ -333,20 +334,21 @@ void Ship::holdLockedYaw(double step) noexcept {
   const int up = frame_.up == WorldFrame::Up::Z ? 2 : 1;
   const bool locked = body_->getAngularFactor()[up] == 0;
   btVector3 spin = body_->getAngularVelocity();
-  const auto rate = static_cast<double>(spin[up]);
-  if (locked && !lockedYaw_.on) lockedYaw_ = {true, record_.attitude.z(), rate, rate};
+  const double rate = static_cast<double>(spin[up]), heading = this->heading();
+  if (locked && !lockedYaw_.on) lockedYaw_ = {true, heading, rate};
   lockedYaw_.on = locked;
   if (!locked) return;
-  if (rate != lockedYaw_.set) lockedYaw_.rate = rate;  // somebody set another
+  if (spin[up] != known_.angular[up]) lockedYaw_.rate = rate;  // somebody set another
   lockedYaw_.heading += lockedYaw_.rate * step;
-  const double turn = std::remainder(lockedYaw_.heading - record_.attitude.z(), 2.0 * kPi);
-  spin[up] = static_cast<btScalar>(turn / step);
-  lockedYaw_.set = static_cast<double>(spin[up]);
+  const double turn = std::remainder(lockedYaw_.heading - heading, 2.0 * kPi);
+  const double most = kLargestCorrection + std::abs(lockedYaw_.rate) * step;
+  spin[up] = static_cast<btScalar>(std::clamp(turn, -most, most) / step);
   body_->setAngularVelocity(spin);
 }
 
 std::uint32_t Ship::beginTick(double time, btScalar step) noexcept {
   const Now before = std::exchange(now_, Now::Paused);
+  begun_ = false;
   // Bullet would look up a simulation island for a constraint whose body has none.
   const auto enable = [this](bool on) {
     if (rig_->addedMass.lent) rig_->addedMass.lent->setEnabled(on);
@@ -357,19 +359,32 @@ std::uint32_t Ship::beginTick(double time, btScalar step) noexcept {
   if (!rig_->addedMass.lent) return kStepOk;  // no memory for a new one: said already
   std::uint32_t faults = mendState() | lookForChanges();
   const int activation = body_->getActivationState();
-  if (activation == ISLAND_SLEEPING || activation == DISABLE_SIMULATION) {
+  const bool held = !(body_->getInvMass() > 0);
+  if (held || activation == ISLAND_SLEEPING || activation == DISABLE_SIMULATION) {
     now_ = Now::Asleep;
+    if (!held) readyToWake(step);
     return faults;
   }
   if (activation != DISABLE_DEACTIVATION) body_->forceActivationState(DISABLE_DEACTIVATION);
+  if (!(step > 0)) {
+    now_ = before;
+    return faults | kTickNotPositive;
+  }
   faults |= lookForMoves();
   if (before == Now::Asleep) forget();
   if (before == Now::Paused) startAgain();
-  if (!(step > 0)) return faults | kTickNotPositive;
   enable(true);
   now_ = Now::Ticks;
-  if (body_->getInvMass() > 0) faults |= tick(time, step);  // else held still by the user for now
-  return faults;
+  begun_ = true;
+  return faults | tick(time, step);
+}
+
+// A contact may wake the ship within this tick.
+void Ship::readyToWake(btScalar step) noexcept {
+  added().setEnabled(true);
+  turnAddedMass(headingAxes());
+  added().forgetPast();
+  added().beginTick(step);
 }
 
 std::uint32_t Ship::tick(double time, btScalar step) noexcept {
@@ -420,7 +435,7 @@ void Ship::aimRestraint(const Mat3& heading, double step) noexcept {
 }
 
 std::uint32_t Ship::endTick(btScalar step) noexcept {
-  if (now_ != Now::Ticks) return kStepOk;
+  if (!std::exchange(begun_, false)) return kStepOk;
   AddedMassConstraint& addedMass = added();
   addedMass.endTick();
   const std::uint32_t faults = mendState();

@@ -229,7 +229,8 @@ class Ship {
     bool courseBegins = false;
     int activation = 0;  // Bullet's activation state of the body
     int now = 0;         // ticking, paused, asleep
-    std::array<double, 4> lockedYaw{};
+    std::array<double, 3> lockedYaw{};
+    btTransform known;  // pose after the last tick
     TickRecord record;
     std::array<double, MeanCourse::kStateSize> course;
     std::uint64_t hydrodynamicsKey = 0;  // Hydrodynamics::key
@@ -257,8 +258,8 @@ class Ship {
   std::uint32_t endTick(btScalar step) noexcept;
   /// Of somebody else's constraint that holds our own body; null: none. Seaway asks it.
   btTypedConstraint* foreignConstraint() const noexcept;
-  /// Whether the body stands in its world, which therefore lives.
-  bool inWorld() const noexcept { return body_->isInWorld(); }
+  /// Whether the body is known to stand in its world, which therefore lives.
+  bool inWorld() const noexcept;
   /// Before its end: the world is known to live.
   void worldLives() noexcept { worldLives_ = true; }
 
@@ -302,6 +303,7 @@ class Ship {
   void turnByInertia(double step) noexcept;
   void holdLockedYaw(double step) noexcept;
   std::uint32_t tick(double time, btScalar step) noexcept;
+  void readyToWake(btScalar step) noexcept;
   std::uint32_t matchTick(double step) noexcept;
   void place(const ShipStart& start) noexcept;
   void forget() noexcept;
@@ -311,9 +313,14 @@ class Ship {
 
   // What others did to the body (ShipGuard.cpp).
   void leaveWorld();
-  void bodyDeleted();
-  void motionStateDeleted() noexcept;
+  friend struct Rig;
+  bool bodyDeleted(btRigidBody& dying);
+  void adoptStandIn();
+  void constraintDeleted(btTypedConstraint& dying) noexcept;
   AddedMassConstraint& added() const;
+  void takeOutOfWorld();
+  void takeJointsOut() noexcept;
+  void giveBack() noexcept;
   std::uint32_t mendState() noexcept;
   std::uint32_t lookForChanges() noexcept;
   std::uint32_t lookForMoves() noexcept;
@@ -329,7 +336,8 @@ class Ship {
   btRigidBody* body_ = nullptr;
   bool ownBody_ = true;  // made by us
   bool worldLives_ = false;
-  int flagsFound_ = 0;  // of the user's body
+  int flagsFound_ = 0, activationFound_ = 0;  // of the user's body
+  btVector3 gravityFound_;
   std::array<bool, 6> restrained_{};
   MeanCourse course_;
   double headingAtSolve_ = 0.0;  // ψ̄ of the last solve
@@ -345,15 +353,15 @@ class Ship {
   double longestTick_ = 0.0;    // [s] for which loads are right, from the fastest own motion
   std::size_t broken_ = kNone;  // index of the first part whose load was not finite
 
-  /// A yaw that the body's angular factor locks: heading [rad] and its rate [rad/s] as they were,
-  /// and the angular velocity about the vertical that was set last.
+  /// A yaw that the body's angular factor locks: heading [rad] and its rate [rad/s] as they were.
   struct LockedYaw {
     bool on = false;
-    double heading = 0.0, rate = 0.0, set = 0.0;
+    double heading = 0.0, rate = 0.0;
   };
   LockedYaw lockedYaw_;
   enum class Now { Ticks, Paused, Asleep };
   Now now_ = Now::Ticks;
+  bool begun_ = false;  // this tick, by beginTick()
   Known known_;
   btScalar inverseMass_ = 0;  // as the database has it
   btVector3 inverseInertia_, worldGravity_;

@@ -44,8 +44,9 @@ std::vector<Vec3> hullPoints(const ShipParticulars& ship, std::optional<double> 
   const bool closed = !ship.hull.vertices.empty();
   std::vector<Vec3> points = closed ? ship.hull.vertices : ship.wetSurface.vertices;
   if (points.empty()) {
-    throw HydroError(Fault::DatabaseIncomplete,
-                     "Seaway::addShip: the database has no hull; give ShipSettings::shape");
+    throw HydroError(
+        Fault::DatabaseIncomplete,
+        "Seaway::addShip: the database has no hull; give ShipSettings::collision.shape");
   }
   if (deck) {
     points = pointsBelow(closed ? ship.hull : ship.wetSurface, *deck);
@@ -126,6 +127,12 @@ void requireBodyOf(const ShipParticulars& ship, const WorldFrame& frame, const b
   if (!body.isInWorld()) {
     throw HydroError(Fault::BadArgument, "Seaway::addShip: add the body to the world first");
   }
+}
+
+bool gravityFits(const btVector3& gravity, const WorldFrame& frame, double right) noexcept {
+  const Vec3 g = frame.lengthToEarth(gravity);
+  const double sideways = std::hypot(g.x(), g.y());
+  return sideways <= 1e-6 * right && std::abs(-g.z() - right) <= 0.05 * right;
 }
 
 CUTWATER_PLUGIN_END

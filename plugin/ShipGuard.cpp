@@ -20,6 +20,7 @@ constexpr double kTurnedAway = kPi / 6.0;  // [rad] likewise
 constexpr double kSameHeading = 0.1;       // [rad]: a fixed course keeps its heading
 constexpr double kFarOff = 0.5;            // of the length, from the mean place
 constexpr double kLargestYaw = kPi / 4.0;  // [rad] from the mean heading
+constexpr double kKnownTop = 1e-3;         // of the length: less is a hull known below water
 constexpr double kSameMass = 1e-4;         // more than rounding of 1/(1/m)
 
 bool finite(const btVector3& v) {
@@ -55,49 +56,119 @@ bool stands(const btDiscreteDynamicsWorld& world, RigConstraint<T>& ours) {
   return false;
 }
 
+// By address alone: the body may be gone.
+bool lists(btDiscreteDynamicsWorld& world, const btRigidBody& body) {
+  const btCollisionObjectArray& objects = world.getCollisionObjectArray();
+  for (int i = 0; i < objects.size(); ++i) {
+    if (objects[i] == &body) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
+Rig::Rig(Ship& ship)
+    : motionState(
+          [](void* self, ShipMotionState& dying) {
+            btRigidBody& body = static_cast<Ship*>(self)->body();
+            if (body.getMotionState() == &dying) body.setMotionState(nullptr);
+            return false;
+          },
+          &ship),
+      body([](void* self,
+              btRigidBody& dying) { return static_cast<Ship*>(self)->bodyDeleted(dying); },
+           &ship),
+      addedMass(
+          [](void* self, AddedMassConstraint& dying) {
+            static_cast<Ship*>(self)->constraintDeleted(dying);
+            return false;
+          },
+          &ship),
+      restraint(
+          [](void* self, CourseRestraint& dying) {
+            static_cast<Ship*>(self)->constraintDeleted(dying);
+            return false;
+          },
+          &ship) {}
+
+// A body of the user's whose constraint somebody deleted may be gone as well.
+bool Ship::inWorld() const noexcept {
+  return (ownBody_ || rig_->addedMass.lent) && body_->isInWorld();
+}
+
 // A world that still lists a constraint of ours may live on, so nothing that it could read is freed
-// unless it is known to be out of its lists. A body of the user's whose constraint somebody deleted
-// may be gone as well.
+// unless it is known to be out of its lists.
 void Ship::leaveWorld() {
-  AddedMassConstraint* added = rig_->addedMass.lent.get();
-  const bool known = ownBody_ || added != nullptr;
-  if (known && (worldLives_ || body_->isInWorld())) {
-    if (added != nullptr) world_.removeConstraint(added);
-    if (rig_->restraint.lent) world_.removeConstraint(rig_->restraint.lent.get());
-    if (!body_->isInWorld()) return;
-    if (!ownBody_) {
-      body_->setFlags(flagsFound_);
-      if ((flagsFound_ & BT_DISABLE_WORLD_GRAVITY) == 0) body_->setGravity(world_.getGravity());
-      return;
-    }
-    while (btTypedConstraint* foreign = foreignConstraint()) world_.removeConstraint(foreign);
-    world_.removeRigidBody(body_);
+  if (inWorld()) worldLives_ = true;
+  if (worldLives_) {
+    const bool stands = inWorld();
+    takeOutOfWorld();
+    if (ownBody_) takeJointsOut();
+    if (stands && ownBody_) world_.removeRigidBody(body_);
+    if (stands && !ownBody_) giveBack();
     return;
   }
-  if (added != nullptr) added->setEnabled(false);
+  if (rig_->addedMass.lent) rig_->addedMass.lent->setEnabled(false);
   if (rig_->restraint.lent) rig_->restraint.lent->setEnabled(false);
   rig_->addedMass.lent.abandon();
   rig_->restraint.lent.abandon();
   rig_->body.abandon();
 }
 
-// Called while the body is still whole. Who deletes it has found it in the world, which so lives.
-void Ship::bodyDeleted() {
-  btRigidBody& dying = *body_;
+// What of ours is in the lists of a world that lives.
+void Ship::takeOutOfWorld() {
   if (rig_->addedMass.lent) world_.removeConstraint(rig_->addedMass.lent.get());
   if (rig_->restraint.lent) world_.removeConstraint(rig_->restraint.lent.get());
-  if (dying.isInWorld()) world_.removeRigidBody(&dying);
-  const ShipParticulars& ship = coefficients().ship;
-  rig_->standIn = std::make_unique<btRigidBody>(bodyInfo(ship, frame_, *dying.getCollisionShape()));
-  body_ = rig_->standIn.get();
-  body_->setCenterOfMassTransform(known_.pose);
-  rig_->restraint.lent.end();
-  rig_->addedMass.lent.make(*body_, frame_.mass(coefficients().addedMass.atInfinity));
+  for (btTypedConstraint* constraint : rig_->leftOver) world_.removeConstraint(constraint);
+  rig_->leftOver.clear();
 }
 
-void Ship::motionStateDeleted() noexcept { body_->setMotionState(nullptr); }
+void Ship::takeJointsOut() noexcept {
+  while (btTypedConstraint* foreign = foreignConstraint()) world_.removeConstraint(foreign);
+}
+
+void Ship::giveBack() noexcept {
+  body_->setFlags((body_->getFlags() & ~kFlagsTaken) | flagsFound_);
+  body_->setGravity(gravityFound_);
+  body_->forceActivationState(activationFound_);
+}
+
+// The body is still whole. In the world, that lives. Taken out of it before, nothing is known: then
+// our constraints, which the world may still list, and the memory of the body stay.
+bool Ship::bodyDeleted(btRigidBody& dying) {
+  const bool stands = dying.isInWorld();
+  if (stands) {
+    takeOutOfWorld();
+    takeJointsOut();
+    world_.removeRigidBody(&dying);
+  } else {
+    const auto leave = [&](auto& lent) {
+      if (!lent) return;
+      lent->setEnabled(false);
+      rig_->leftOver.push_back(lent.get());
+      lent.abandon();
+    };
+    leave(rig_->addedMass.lent);
+    leave(rig_->restraint.lent);
+  }
+  adoptStandIn();
+  return !stands;
+}
+
+void Ship::adoptStandIn() {
+  rig_->addedMass.lent.end();
+  rig_->restraint.lent.end();
+  rig_->standIn = std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(
+      btScalar(1) / inverseMass_, nullptr, nullptr, btVector3(1, 1, 1)));
+  body_ = rig_->standIn.get();
+  body_->setCenterOfMassTransform(known_.pose);
+  added();
+}
+
+// Somebody removed it earlier, and we have put it back since.
+void Ship::constraintDeleted(btTypedConstraint& dying) noexcept {
+  if (body_->isInWorld()) world_.removeConstraint(&dying);
+}
 
 btTypedConstraint* Ship::foreignConstraint() const noexcept {
   if (!ownBody_) return nullptr;
@@ -115,7 +186,10 @@ btTypedConstraint* Ship::foreignConstraint() const noexcept {
 AddedMassConstraint& Ship::added() const {
   Lent<AddedMassConstraint>& lent = rig_->addedMass.lent;
   if (!lent) {
-    lent.make(*body_, frame_.mass(coefficients().addedMass.atInfinity));
+    Vec6 mass;
+    mass.head<3>().setConstant(1.0 / static_cast<double>(inverseMass_));
+    mass.tail<3>() = fromBullet(inverseInertia_).cwiseInverse();
+    lent.make(*body_, frame_.mass(coefficients().addedMass.atInfinity), mass);
     lent->follow(frame_.rotation(headingAxes()));
     lent->forgetPast();
     lent->setActive(parts_[addedMassPart_].on);
@@ -123,21 +197,28 @@ AddedMassConstraint& Ship::added() const {
   return *lent;
 }
 
-// A constraint of ours that somebody took out, or deleted, is put back for this tick.
+// A constraint of ours that somebody took out, or deleted, is put back for this tick. A tick proves
+// that the world lives.
 std::uint32_t Ship::keepConstraints() noexcept {
-  if (!body_->isInWorld()) return kStepOk;
   std::uint32_t faults = kStepOk;
   const auto putBack = [&](auto& ours) {
     if (!ours.lent || stands(world_, ours)) return;
-    faults |= kConstraintRemoved;
+    if (!rig_->takenOut) faults |= kConstraintRemoved;
     world_.addConstraint(ours.lent.get());
   };
   try {
+    if (!ownBody_ && !rig_->addedMass.lent && !lists(world_, *body_)) adoptStandIn();
+    if (!body_->isInWorld()) {
+      takeOutOfWorld();
+      rig_->takenOut = true;
+      return kStepOk;
+    }
     added();
     const bool restrains = std::count(restrained_.begin(), restrained_.end(), true) > 0;
     if (restrains && !rig_->restraint.lent) rig_->restraint.lent.make(*body_, restrained_);
     putBack(rig_->addedMass);
     putBack(rig_->restraint);
+    rig_->takenOut = false;
   } catch (...) {  // no memory for a new one
     faults |= kConstraintRemoved;
   }
@@ -171,7 +252,10 @@ std::uint32_t Ship::lookForChanges() noexcept {
   for (int i = 0; i < 3; ++i) same = same && nearly(inertia[i], right[i]);
   if (body_->getInvMass() > 0 && !same) faults |= kMassChanged;
   const bool ownGravity = body_->getGravity().length2() > 0;
-  if (ownGravity || (world_.getGravity() - worldGravity_).length2() > 0) faults |= kGravityChanged;
+  const bool asItWas = (world_.getGravity() - worldGravity_).length2() == 0;
+  if (ownGravity ||
+      (!asItWas && !gravityFits(world_.getGravity(), frame_, coefficients().ship.gravity)))
+    faults |= kGravityChanged;
   return faults;
 }
 
@@ -184,6 +268,7 @@ std::uint32_t Ship::lookForMoves() noexcept {
     return kStepOk;
   const double before = motionAngles(frame_.rotationToEarth(known_.pose.getBasis())).z();
   const double turn = std::remainder(heading() - before, 2.0 * kPi);
+  body_->updateInertiaTensor();
   const Vec3 at = position();
   course_.reset(at.x(), at.y(), course_.heading() + (std::abs(turn) > kSameHeading ? turn : 0.0),
                 course_.speed());
@@ -200,7 +285,7 @@ std::uint32_t Ship::outsideTheory() const noexcept {
     faults |= kAttitudeOutsideTheory;
   const double above = eta[Heave] - elevation_;  // G's calm place, over the waves
   const bool flies = hydro.keel() < 0.0 && above + hydro.keel() > 0.0;
-  const bool drowns = hydro.top() > 0.0 && above + hydro.top() < 0.0;
+  const bool drowns = hydro.top() > kKnownTop * length() && above + hydro.top() < 0.0;
   if (flies || drowns) faults |= kOutOfWater;
   const bool waves = input_.ramp > 0.0 && !input_.sea->components().empty();
   if (!course_.follows() && waves && std::hypot(eta[Surge], eta[Sway]) > kFarOff * length())

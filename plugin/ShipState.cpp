@@ -157,7 +157,9 @@ void Ship::resetVelocity(const Vec3& linear, const Vec3& angular) noexcept {
   body_->setLinearVelocity(frame_.length(linear));
   body_->setAngularVelocity(frame_.direction(angular));
   startAgain();
-  remember();
+  known_.linear = body_->getLinearVelocity();
+  known_.angular = body_->getAngularVelocity();
+  if (lockedYaw_.on) lockedYaw_.rate = angular.z();
 }
 
 void Ship::reset(const ShipStart& start) {
@@ -191,7 +193,8 @@ void Ship::save(Snapshot& s) const {
   s.courseBegins = input_.courseBegins;
   s.activation = body_->getActivationState();
   s.now = static_cast<int>(now_);
-  s.lockedYaw = {lockedYaw_.on ? 1.0 : 0.0, lockedYaw_.heading, lockedYaw_.rate, lockedYaw_.set};
+  s.lockedYaw = {lockedYaw_.on ? 1.0 : 0.0, lockedYaw_.heading, lockedYaw_.rate};
+  s.known = known_.pose;
   s.record = record_;
   course_.save(s.course);
   saveParts(s);
@@ -277,9 +280,12 @@ void Ship::restore(const Snapshot& s) {
   headingAtSolve_ = s.headingAtSolve;
   input_.courseBegins = s.courseBegins;
   now_ = static_cast<Now>(s.now);
-  lockedYaw_ = {s.lockedYaw[0] != 0.0, s.lockedYaw[1], s.lockedYaw[2], s.lockedYaw[3]};
+  lockedYaw_ = {s.lockedYaw[0] != 0.0, s.lockedYaw[1], s.lockedYaw[2]};
+  begun_ = false;
   record_ = s.record;
   remember();
+  known_.pose = s.known;
+  if (btMotionState* drawn = body_->getMotionState()) drawn->setWorldTransform(s.interpolated);
 }
 
 CUTWATER_PLUGIN_END

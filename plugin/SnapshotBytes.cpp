@@ -46,6 +46,7 @@ void visitFields(Visitor& v, Snapshot& s) {
   v.field("activation", s.activation);
   v.field("now", s.now);
   v.field("lockedYaw", s.lockedYaw);
+  v.field("known", s.known);
   v.field("record", s.record);
   v.field("course", s.course);
   v.field("hydrodynamicsKey", s.hydrodynamicsKey);

@@ -49,9 +49,9 @@ void Autopilots::hold(const CourseKeeper& course) {
   holdsCourse_ = true;
 }
 
-double Autopilots::thrust(double speedNow, double time) noexcept {
+double Autopilots::thrust(double speedNow, double lastStep) noexcept {
   const double error = speed_.speed - speedNow;
-  const double step = running_ ? std::max(0.0, time - time_) : 0.0;
+  const double step = running_ ? lastStep : 0.0;
   const double next = integral_ + step * error;
   const double nu = speed_.rate;
   const double wanted = massSurge_ * nu * (2.0 * error + nu * next);
@@ -65,7 +65,7 @@ Wrench Autopilots::evaluate(const TickInput& now) noexcept {
   Vec6 force = Vec6::Zero();
   const double ahead = now.speed + now.etaDotNow[Surge];
   if (holdsSpeed_) {
-    const double pull = thrust(ahead, now.time);
+    const double pull = thrust(ahead, now.lastStep);
     force[Surge] += pull * std::cos(now.eta[Yaw]);
     force[Sway] += pull * std::sin(now.eta[Yaw]);
   }
@@ -78,7 +78,6 @@ Wrench Autopilots::evaluate(const TickInput& now) noexcept {
     force[Yaw] = std::clamp(stiffness * error - 2.0 * std::sqrt(stiffness * inertia_) * rate,
                             -course_.maxMoment, course_.maxMoment);
   }
-  time_ = now.time;
   running_ = true;
   return {force};
 }
@@ -98,7 +97,6 @@ void Autopilots::save(std::span<double> state) const noexcept {
                                                holdsSpeed_ ? 1.0 : 0.0,
                                                holdsCourse_ ? 1.0 : 0.0,
                                                integral_,
-                                               time_,
                                                running_ ? 1.0 : 0.0};
   std::copy(numbers.begin(), numbers.end(), state.begin());
 }
@@ -109,8 +107,7 @@ void Autopilots::restore(std::span<const double> state) noexcept {
   holdsSpeed_ = state[6] != 0.0;
   holdsCourse_ = state[7] != 0.0;
   integral_ = state[8];
-  time_ = state[9];
-  running_ = state[10] != 0.0;
+  running_ = state[9] != 0.0;
 }
 
 }  // namespace cutwater

@@ -37,15 +37,14 @@ class Autopilots final : public ForceGenerator {
   void restore(std::span<const double> state) noexcept override;
 
  private:
-  static constexpr std::size_t kStateSize = 11;
-  double thrust(double speedNow, double time) noexcept;
+  static constexpr std::size_t kStateSize = 10;
+  double thrust(double speedNow, double lastStep) noexcept;
 
   double massSurge_, inertia_, addedSway_, weight_, length_;
   SpeedKeeper speed_;
   CourseKeeper course_;
   bool holdsSpeed_ = false, holdsCourse_ = false;
   double integral_ = 0.0;
-  double time_ = 0.0;  // of the last tick
   bool running_ = false;
 };
 
