@@ -23,7 +23,8 @@ constexpr std::array<FaultRow, 16> kFaults{{
     {kCallbackReplaced, "kCallbackReplaced",
      "the world's pre-tick callback was replaced, and a tick passed without loads"},
     {kSpeedOutsideTheory, "kSpeedOutsideTheory",
-     "the ship made a speed at which its own motions grow, or one faster than was looked at"},
+     "the ship made a speed at which its own motions grow, or one faster than was looked at: "
+     "outside the theory"},
     {kTickNotPositive, "kTickNotPositive",
      "a tick was not longer than 0 s and passed without loads"},
     {kTickTooLong, "kTickTooLong", "a tick was too long for the ship's own motions"},

@@ -73,8 +73,8 @@ class Seaway final {
   Ship& addShip(std::shared_ptr<const Hydrodynamics> hydrodynamics,
                 const ShipSettings& settings = {});
   /// The user's own body, already in the world, origin in G, axes B; the database's mass within
-  /// 0.1 %. It must outlive the ship. It keeps its shape, pose and velocity, and its pose becomes the mean course (x, y,
-  /// heading). Of `settings`
+  /// 0.1 %. It must outlive the ship. It keeps its shape, pose and velocity, and its pose becomes
+  /// the mean course (x, y, heading). Of `settings`
   ///     model      is used, all of it, as for a body of ours
   ///     start      speed only, and only with Mean::Fixed: the speed of the mean course. The body
   ///                is not set in motion: setLinearVelocity before. With Mean::Filtered the course

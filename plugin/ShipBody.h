@@ -32,8 +32,8 @@ btRigidBody::btRigidBodyConstructionInfo bodyInfo(const ShipParticulars& ship,
 /// @throws HydroError ValueOutOfRange: mass not within 0.1 %; BadArgument: not in a world.
 void requireBodyOf(const ShipParticulars& ship, const WorldFrame& frame, const btRigidBody& body);
 
-/// Whether a world's gravity points down and is within 5 % of a database's [m/s²]: Bullet's examples
-/// take 10 m/s², and a ship's weight is carried.
+/// Whether a world's gravity points down and is within 5 % of a database's [m/s²]: Bullet's own
+/// examples take 10 m/s², and a ship's weight is carried.
 bool gravityFits(const btVector3& gravity, const WorldFrame& frame, double right) noexcept;
 
 CUTWATER_PLUGIN_END

@@ -18,7 +18,8 @@ inline constexpr double kTurn = 2.0 * kPi * (1.0 + 1e-12), kHalfTurn = kPi * (1.
 inline void requireRadians(const std::string& field, double value, double largest) {
   if (std::abs(value) <= largest) return;
   std::ostringstream line;
-  line << field << " = " << value << ": must be in " << -largest << ".." << largest << " radians";
+  line << field << " = " << value << ": must be finite and in " << -largest << ".." << largest
+       << " radians";
   if (std::isfinite(value)) line << "; did you mean degrees?";
   throw HydroError(Fault::ValueOutOfRange, line.str());
 }

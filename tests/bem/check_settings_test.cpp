@@ -46,7 +46,7 @@ void expectRefused(const SolveSettings& settings, Fault fault,
 TEST(CheckSettings, AcceptsAnOrdinarySweep) {
   SolveSettings settings = anySettings();
   EXPECT_NO_THROW(check(anyShip(), settings));
-  settings.headings = {-1.0, 0.0, 7.0};  // any direction, however it is counted
+  settings.headings = {-1.0, 0.0, 6.2};  // any direction, however it is counted
   settings.speeds = {0.0, 12.0};
   settings.waveOmega = {0.3, 0.6};
   for (const Influence influence :

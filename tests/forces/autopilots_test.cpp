@@ -37,6 +37,7 @@ const double kSurging = kMass + 2e5, kYawing = kMass * 900.0 + 2e9;
 template <class See>
 double sail(Autopilots& keepers, double speed, double drag, double step, double duration, See see) {
   TickInput motion;
+  motion.step = motion.lastStep = step;
   for (int n = 0; n * step < duration; ++n) {
     motion.time = n * step;
     motion.speed = speed;
