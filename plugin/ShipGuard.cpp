@@ -165,9 +165,10 @@ void Ship::adoptStandIn() {
   added();
 }
 
-// Somebody removed it earlier, and we have put it back since.
+// Somebody removed it earlier, and we have put it back since. A body of the user's may be gone.
 void Ship::constraintDeleted(btTypedConstraint& dying) noexcept {
-  if (body_->isInWorld()) world_.removeConstraint(&dying);
+  const bool stands = ownBody_ ? body_->isInWorld() : lists(world_, *body_);
+  if (stands) world_.removeConstraint(&dying);
 }
 
 btTypedConstraint* Ship::foreignConstraint() const noexcept {
