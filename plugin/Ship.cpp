@@ -215,12 +215,14 @@ void Ship::findInput(double time, double step, const Mat3& heading) noexcept {
   elevation_ = now.ramp * now.sea->elevation(now.phasors);
 }
 
+// For the tick as Bullet will give it: 1/60 s is another number in single precision.
 void Ship::prepare(double step) {
+  const auto given = static_cast<double>(static_cast<btScalar>(step));
   preparedFor_ = 0.0;
   for (ShipPart& part : parts_) {
-    if (part.force) part.force->prepare(step);
+    if (part.force) part.force->prepare(given);
   }
-  preparedFor_ = step;
+  preparedFor_ = given;
 }
 
 // Bullet's tick is a float in one build: 1e-6 tells another length from another rounding. Parts

@@ -143,10 +143,11 @@ bool Convolution::fits(std::span<const double> state) const noexcept {
 void Convolution::restore(std::span<const double> state) {
   const std::size_t ring = weights_->ring();
   if (!fits(state)) {
+    const double step = state.empty() ? 0.0 : state[0];
     throw HydroError(Fault::BadArgument,
-                     fmt::format("Convolution::restore: state of {} numbers, this memory of {} "
-                                 "ticks of {} s has {}",
-                                 state.size(), ring, weights_->step(), stateSize()));
+                     fmt::format("Convolution::restore: a state of {} numbers and ticks of {} s; "
+                                 "this memory has {}, and ticks of {} s",
+                                 state.size(), step, stateSize(), weights_->step()));
   }
   next_ = static_cast<std::size_t>(state[1]);
   for (std::size_t mode = 0; mode < 6; ++mode) {
