@@ -62,8 +62,8 @@ TEST(Allocation, NoneInATickOnceAllIsWarm) {
   btAlignedAllocSetCustom(nullptr, nullptr);
 }
 
-// Bullet makes its own lists in the first ticks; of ours there is nothing to make, in the first tick
-// as in a ship that begins anew.
+// Bullet makes its own lists in the first ticks. Of ours there is nothing to make, neither in the
+// first tick nor in a ship that begins anew.
 TEST(Allocation, NoneOfOursInTheFirstTickNorInAReset) {
   btAlignedAllocSetCustom(countedForBullet, std::free);
   for (const Mean mean : {Mean::Fixed, Mean::Filtered}) {
