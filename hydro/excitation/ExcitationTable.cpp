@@ -190,16 +190,15 @@ void ExcitationTable::makeRows(const WaveExcitation& direct) {
     size += 2 * half * width_;
   }
   values_.assign(size, 0.0);
-  std::vector<SmallPanel> panels, faces;
+  SmallPanels panels, faces;
   if (hasVectors_) {
-    panels = smallPanels(direct.panels(), ship.cog);
-    faces = smallPanels(direct.faces(), ship.cog);
+    panels = {direct.panels(), ship.cog};
+    faces = {direct.faces(), ship.cog};
   }
   const auto fill = [&](const AiryWave& wave, double* at) {
     if (hasVectors_) {
-      put(froudeKrylovForce(faces, wave, symmetric_, ship.density) + direct.lacking().force(wave),
-          at);
-      enter(incidentNormalVelocity(panels, wave, symmetric_), at + 12);
+      put(faces.froudeKrylovForce(wave, ship.density) + direct.lacking().force(wave), at);
+      enter(panels.incidentNormalVelocity(wave), at + 12);
     } else {
       const auto force = direct.at(wave.omega, wave.heading);
       put(force.froudeKrylov, at);
@@ -231,10 +230,11 @@ void ExcitationTable::enter(const IncidentVelocity& v, double* at) const {
   for (std::size_t p = 0; p < 2; ++p) {
     if (rank_[p] == 0) continue;
     const Eigen::VectorXcd& velocity = p == 0 ? v.even : v.odd;
-    Eigen::MatrixX2d parts(velocity.size(), 2);
-    parts << velocity.real(), velocity.imag();
-    const Eigen::MatrixX2d q = basis_[p].transpose() * parts;
-    at = std::copy_n(q.data(), q.size(), at);
+    const Eigen::VectorXd re = velocity.real(), im = velocity.imag();
+    Eigen::Map<Eigen::VectorXd> toRe(at, basis_[p].cols()), toIm(at + toRe.size(), toRe.size());
+    toRe.noalias() = basis_[p].transpose() * re;
+    toIm.noalias() = basis_[p].transpose() * im;
+    at += 2 * toRe.size();
   }
 }
 

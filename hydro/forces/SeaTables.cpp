@@ -4,6 +4,7 @@
 #include <string>
 
 #include "hydro/Errors.h"
+#include "hydro/base/ParallelFor.h"
 #include "hydro/excitation/ExcitationTable.h"
 #include "hydro/excitation/WaveExcitation.h"
 #include "hydro/forces/Hydrodynamics.h"
@@ -39,15 +40,16 @@ CourseForces forcesOn(const Hydrodynamics& hydro, const SeaState& sea, double he
   CourseForces forces{heading, speed, {}};
   if (sea.components().empty()) return forces;
   const WaveExcitation& excitation = hydro.excitation();
-  for (std::size_t i = 0; i < sea.components().size(); ++i) {
+  forces.components.resize(sea.components().size());
+  parallelFor(forces.components.size(), 0, [&](std::size_t i) {
     const WaveComponent& wave = sea.components()[i];
     try {
       const auto force = excitation.at(wave.omega, wave.heading + heading, speed);
-      forces.components.push_back({force.froudeKrylov, force.diffraction});
+      forces.components[i] = {force.froudeKrylov, force.diffraction};
     } catch (const HydroError& error) {
       throw HydroError(error.fault(), "wave component " + std::to_string(i) + ": " + error.what());
     }
-  }
+  });
   return forces;
 }
 

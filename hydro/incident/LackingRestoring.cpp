@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
+#include "hydro/base/SimdMath.h"
 #include "hydro/geometry/Hydrostatics.h"
 
 namespace cutwater {
@@ -30,26 +31,45 @@ LackingRestoring::LackingRestoring(const SurfaceMesh& wet, const Hull& hull, con
 
   // The waterplane is the hull seen from below: −n_z dS, one point a face.
   Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
+  std::size_t count = 0;
   for (const Face& face : wet.faces) {
+    const double area = -vectorArea(wet, face).z();
+    if (area == 0.0) continue;
     const Vec3 middle = meanCorner(wet, face);
-    const Point point{middle.x() - cog.x(), middle.y() - cog.y(), -vectorArea(wet, face).z()};
-    if (point.area == 0.0) continue;
-    const Vec3 terms(1.0, point.x, point.y);
-    gram += point.area * terms * terms.transpose();
-    points_.push_back(point);
+    const Vec3 terms(1.0, middle.x() - cog.x(), middle.y() - cog.y());
+    gram += area * terms * terms.transpose();
+    if (count % 4 == 0) points_.emplace_back();
+    Four& four = points_.back();
+    four.x[count % 4] = terms.y();
+    four.y[count % 4] = terms.z();
+    four.area[count++ % 4] = area;
   }
   difference_ = gram.ldlt().solve(difference.transpose()).transpose();
+}
+
+CUTWATER_VECTOR std::array<double, 6> LackingRestoring::sums(const std::vector<Four>& points,
+                                                             double kx, double ky) {
+  Double4 re[3] = {}, im[3] = {};
+  for (const Four& four : points) {
+    const Double4 x = load4(four.x), y = load4(four.y), area = load4(four.area);
+    const SineCosine turn = sineCosine(ky * y - kx * x);
+    const Double4 c = area * turn.cosine, s = area * turn.sine;
+    re[0] += c;
+    re[1] += c * x;
+    re[2] += c * y;
+    im[0] += s;
+    im[1] += s * x;
+    im[2] += s * y;
+  }
+  return {sumOf(re[0]), sumOf(re[1]), sumOf(re[2]), sumOf(im[0]), sumOf(im[1]), sumOf(im[2])};
 }
 
 CVec6 LackingRestoring::force(const AiryWave& wave) const {
   const double k = wave.waveNumber();
   const double kx = k * std::cos(wave.heading), ky = k * std::sin(wave.heading);
-  Eigen::Vector3cd fit = Eigen::Vector3cd::Zero();
-  for (const Point& point : points_) {
-    const double phase = ky * point.y - kx * point.x;
-    const Complex water = point.area * Complex(std::cos(phase), std::sin(phase));
-    fit += water * Eigen::Vector3d(1.0, point.x, point.y);
-  }
+  const std::array<double, 6> parts = sums(points_, kx, ky);
+  Eigen::Vector3cd fit;
+  for (std::size_t i = 0; i < 3; ++i) fit[static_cast<int>(i)] = Complex(parts[i], parts[3 + i]);
   return difference_ * fit;
 }
 

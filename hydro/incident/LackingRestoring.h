@@ -1,4 +1,7 @@
 #pragma once
+#include <array>
+#include <vector>
+
 #include "hydro/geometry/Hull.h"
 #include "hydro/waves/Wave.h"
 
@@ -31,11 +34,15 @@ class LackingRestoring {
   CVec6 force(const AiryWave& wave) const;
 
  private:
-  /// A point of the waterplane: its place from G [m] and the area for which it stands [m²].
-  struct Point {
-    double x, y, area;
+  /// Four points of the waterplane: their places from G [m] and the areas for which they stand
+  /// [m²]; what there are too few of has no area.
+  struct alignas(32) Four {
+    double x[4]{}, y[4]{}, area[4]{};
   };
-  std::vector<Point> points_;
+  /// Σ area e^{i(k_y y − k_x x)} times 1, x and y; Re of the three, then Im.
+  static std::array<double, 6> sums(const std::vector<Four>& points, double kx, double ky);
+
+  std::vector<Four> points_;
   Eigen::Matrix<double, 6, 3> difference_ = Eigen::Matrix<double, 6, 3>::Zero();  ///< by a, b, c
 };
 
