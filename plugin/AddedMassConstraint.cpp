@@ -37,6 +37,13 @@ void store(btScalar* axis, const btVector3& v, double factor) {
   for (int i = 0; i < 3; ++i) axis[i] = static_cast<btScalar>(factor) * v[i];
 }
 
+void clear(btJointFeedback& feedback) {
+  feedback.m_appliedForceBodyA.setZero();
+  feedback.m_appliedTorqueBodyA.setZero();
+  feedback.m_appliedForceBodyB.setZero();
+  feedback.m_appliedTorqueBodyB.setZero();
+}
+
 // J M⁻¹ Jᵀ of a row given in E.
 double response(const btRigidBody& body, const btVector3& linear, const btVector3& angular) {
   return static_cast<double>(linear.length2() * body.getInvMass()) +
@@ -82,7 +89,7 @@ AddedMassConstraint::AddedMassConstraint(btRigidBody& body, const Mat6& addedMas
   }
   findRows(addedMass_);
   largestRatio_ = count_ == 0 ? 0.0 : rows_[0].ratio;
-  feedback_ = {};
+  clear(feedback_);
   setJointFeedback(&feedback_);
   forgetPast();
 }
@@ -163,7 +170,7 @@ int AddedMassConstraint::iterationsFor(double tolerance) const noexcept {
 void AddedMassConstraint::setActive(bool on) noexcept {
   if (on && !active_) forgetPast();
   active_ = on;
-  feedback_ = {};
+  clear(feedback_);
 }
 
 void AddedMassConstraint::getInfo1(btConstraintInfo1* info) {
