@@ -50,10 +50,16 @@ double difference(const SolverOutput& laid, const SolverOutput& structured, char
 // takes three times as many.
 constexpr double kGapFrom = 1.35, kGapTo = 1.7;
 
+// Laid panels crowd at the barge's sharp bilge, structured ones do not: as many of them are no
+// reference. Against 1600 a side 224 laid panels are .98 % off in B22 and 1.9 % in B44, structured
+// ones 2.9 and 20 %.
+constexpr int kFineBarge = 1600;
+
 void compare(const TestHull& hull, int count, const std::vector<double>& omega) {
   const SurfaceMesh panels = panelled(hull.hull, count, hull.name);
   const SolverOutput laid = solved(panels, omega);
-  const SolverOutput structured = solved(hull.structured(count), omega);
+  const int reference = hull.name == "barge" ? kFineBarge : count;
+  const SolverOutput structured = solved(hull.structured(reference), omega);
   const bool gap = hull.name == "catamaran";
   for (const char what : {'A', 'B'})
     for (const int mode : {2, 1}) {
