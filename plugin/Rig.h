@@ -38,6 +38,12 @@ struct RigConstraint {
 /// What of a ship stands in the world, where others may take it out or delete it.
 struct Rig {
   explicit Rig(Ship& ship);
+  template <class T>
+  static bool constraintDeleted(void* ship, T& dying);
+  void enable(bool on) noexcept {
+    if (addedMass.lent) addedMass.lent->setEnabled(on);
+    if (restraint.lent) restraint.lent->setEnabled(on);
+  }
   Lent<ShipMotionState> motionState;     // of the body we made
   Lent<btRigidBody> body;                // empty: it is the user's, or was deleted
   std::unique_ptr<btRigidBody> standIn;  // for one that was deleted

@@ -326,6 +326,8 @@ class Ship {
   std::uint32_t lookForMoves() noexcept;
   std::uint32_t outsideTheory() const noexcept;
   void remember() noexcept;
+  void set(const Known& state) noexcept;
+  bool restrains() const noexcept;
 
   btDiscreteDynamicsWorld& world_;
   WorldFrame frame_;

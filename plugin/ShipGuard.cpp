@@ -67,6 +67,12 @@ bool lists(btDiscreteDynamicsWorld& world, const btRigidBody& body) {
 
 }  // namespace
 
+template <class T>
+bool Rig::constraintDeleted(void* ship, T& dying) {
+  static_cast<Ship*>(ship)->constraintDeleted(dying);
+  return false;
+}
+
 Rig::Rig(Ship& ship)
     : motionState(
           [](void* self, ShipMotionState& dying) {
@@ -78,18 +84,12 @@ Rig::Rig(Ship& ship)
       body([](void* self,
               btRigidBody& dying) { return static_cast<Ship*>(self)->bodyDeleted(dying); },
            &ship),
-      addedMass(
-          [](void* self, AddedMassConstraint& dying) {
-            static_cast<Ship*>(self)->constraintDeleted(dying);
-            return false;
-          },
-          &ship),
-      restraint(
-          [](void* self, CourseRestraint& dying) {
-            static_cast<Ship*>(self)->constraintDeleted(dying);
-            return false;
-          },
-          &ship) {}
+      addedMass(&constraintDeleted<AddedMassConstraint>, &ship),
+      restraint(&constraintDeleted<CourseRestraint>, &ship) {}
+
+bool Ship::restrains() const noexcept {
+  return std::find(restrained_.begin(), restrained_.end(), true) != restrained_.end();
+}
 
 // A body of the user's whose constraint somebody deleted may be gone as well.
 bool Ship::inWorld() const noexcept {
@@ -108,8 +108,7 @@ void Ship::leaveWorld() {
     if (stands && !ownBody_) giveBack();
     return;
   }
-  if (rig_->addedMass.lent) rig_->addedMass.lent->setEnabled(false);
-  if (rig_->restraint.lent) rig_->restraint.lent->setEnabled(false);
+  rig_->enable(false);
   rig_->addedMass.lent.abandon();
   rig_->restraint.lent.abandon();
   rig_->body.abandon();
@@ -142,9 +141,9 @@ bool Ship::bodyDeleted(btRigidBody& dying) {
     takeJointsOut();
     world_.removeRigidBody(&dying);
   } else {
+    rig_->enable(false);
     const auto leave = [&](auto& lent) {
       if (!lent) return;
-      lent->setEnabled(false);
       rig_->leftOver.push_back(lent.get());
       lent.abandon();
     };
@@ -215,8 +214,7 @@ std::uint32_t Ship::keepConstraints() noexcept {
       return kStepOk;
     }
     added();
-    const bool restrains = std::count(restrained_.begin(), restrained_.end(), true) > 0;
-    if (restrains && !rig_->restraint.lent) rig_->restraint.lent.make(*body_, restrained_);
+    if (restrains() && !rig_->restraint.lent) rig_->restraint.lent.make(*body_, restrained_);
     putBack(rig_->addedMass);
     putBack(rig_->restraint);
     rig_->takenOut = false;
@@ -235,14 +233,17 @@ std::uint32_t Ship::mendState() noexcept {
     faults |= kLoadNotFinite;
   }
   if (stateFinite(*body_)) return faults;
-  body_->setWorldTransform(known_.pose);
-  body_->setInterpolationWorldTransform(known_.pose);
-  body_->setLinearVelocity(known_.linear);
-  body_->setAngularVelocity(known_.angular);
-  body_->setInterpolationLinearVelocity(known_.linear);
-  body_->setInterpolationAngularVelocity(known_.angular);
-  body_->updateInertiaTensor();
+  set(known_);
   return faults | kStateNotFinite;
+}
+
+void Ship::set(const Known& state) noexcept {
+  body_->setCenterOfMassTransform(state.pose);
+  body_->setInterpolationWorldTransform(state.pose);
+  body_->setLinearVelocity(state.linear);
+  body_->setAngularVelocity(state.angular);
+  body_->setInterpolationLinearVelocity(state.linear);
+  body_->setInterpolationAngularVelocity(state.angular);
 }
 
 std::uint32_t Ship::lookForChanges() noexcept {

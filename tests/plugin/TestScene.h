@@ -30,6 +30,11 @@ struct Scene {
   Ship* sphere = nullptr;
 };
 
+inline btRigidBody& bodyOf(Scene& scene) { return scene.sphere->body(); }
+inline double heaveOf(const Scene& scene) { return scene.sphere->motion()[Heave]; }
+// Of a place of some metres, kept by a float for some hundred ticks.
+inline constexpr double kStill = 1e4 * kEpsilon;
+
 inline Vec6 one(int mode, double value) {
   Vec6 v = Vec6::Zero();
   v[mode] = value;
