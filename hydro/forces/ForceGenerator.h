@@ -43,6 +43,7 @@ struct TickInput {
   double meanX = 0.0, meanY = 0.0;  ///< mean place of G in E [m]
   double meanHeading = 0.0;         ///< ψ̄ [rad]: x axis of H from that of E, about +z
   double speed = 0.0;               ///< U [m/s] along that axis
+  double leeway = 0.0;              ///< V [m/s] across it, to port; 0 on a fixed course
   double turnRate = 0.0;            ///< dψ̄/dt [rad/s]; η̇₆ is the turning beyond it
   bool courseBegins = false;  ///< the course was set anew since the last tick: it did not come here
 
