@@ -1,12 +1,15 @@
 // The hull files under meshes/, made from their formulas, S-175's from its offsets in that folder:
 // `make_meshes FOLDER` writes them anew. Their wet faces are the solver's panels
-// (panels = "as-is"); the whole is closed, for buoyancy and collision.
+// (panels = "as-is"), S-175's and the boat's are divided anew; the whole is closed, for buoyancy
+// and collision.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 
+#include "demos/make_meshes/Boat.h"
 #include "hydro/Errors.h"
+#include "hydro/base/AtomicFile.h"
 #include "hydro/files/MeshIO.h"
 #include "hydro/geometry/Hydrostatics.h"
 #include "hydro/geometry/MeshCut.h"
@@ -18,15 +21,31 @@ namespace {
 using namespace cutwater;
 namespace fs = std::filesystem;
 
+void printHydrostatics(const std::string& file, const SurfaceMesh& mesh) {
+  const Hydrostatics h = hydrostatics(cutBelow(mesh), Vec3::Zero(), 1000.0, 9.81);
+  std::printf("%-32s V %10.4f m3  S %9.4f m2  LCB %8.4f m  CB %8.4f m\n", file.c_str(), h.volume,
+              h.wettedArea, h.buoyancy.x(), h.buoyancy.z());
+}
+
 void write(const fs::path& root, const std::string& file, const SurfaceMesh& mesh,
            const std::string& about) {
   const fs::path path = root / file;
   fs::create_directories(path.parent_path());
   writeObj(path.string(), mesh,
            about + "\nmetres; x forward, y to port, z up from calm water; made by make_meshes");
-  const Hydrostatics h = hydrostatics(cutBelow(mesh), Vec3::Zero(), 1000.0, 9.81);
-  std::printf("%-32s V %10.4f m3  S %9.4f m2  LCB %8.4f m  CB %8.4f m\n", file.c_str(), h.volume,
-              h.wettedArea, h.buoyancy.x(), h.buoyancy.z());
+  printHydrostatics(file, mesh);
+}
+
+/// The boat's first part is its hull.
+void writeBoat(const fs::path& root) {
+  const std::string file = "boat/boat.glb";
+  const meshes::Model model = meshes::boat();
+  SurfaceMesh hull;
+  for (const meshes::Surface& surface : model.parts.front().surfaces)
+    hull = joined(hull, surface.mesh);
+  fs::create_directories((root / file).parent_path());
+  writeWhole((root / file).string(), meshes::glb(model, "Cutwater, zlib licence"));
+  printHydrostatics(file, welded(hull, 1e-9));
 }
 
 /// Scaled about its centre until the panels enclose what the sphere does.
@@ -74,6 +93,7 @@ void writeAll(const fs::path& root) {
   write(root, "s175/s175.obj", LoftedHull(offsets(root / "s175/offsets.csv", 9.5)).closed(120, 24),
         "S-175 container ship, lofted through offsets.csv, draught 9.5 m; to be panelled (panels = "
         "N)");
+  writeBoat(root);
 }
 
 }  // namespace

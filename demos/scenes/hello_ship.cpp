@@ -1,18 +1,18 @@
-// A ship in a plain Bullet scene: hello_ship DATABASE.h5 [OUT.csv]
-// Look for: it rolls and heaves in the beam sea for a minute and stays about where it is.
+// A ship in a plain Bullet scene: hello_ship [DATABASE.h5 [OUT.csv]]
+// Without a database it takes the boat of 12 m that the build has solved.
+// Look for: it sails for a minute at 3 m/s along +x through a short sea, pitches and rolls.
 #include <btBulletDynamicsCommon.h>
 
 #include <cstdio>
+#include <string>
 
+#include "demos/scenes/BoatDatabase.h"
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/waves/Spectrum.h"
 #include "plugin/Seaway.h"
 
 int main(int argc, char** argv) try {
-  if (argc < 2) {
-    std::puts("usage: hello_ship DATABASE.h5 [OUT.csv]");
-    return 2;
-  }
+  const std::string database = argc > 1 ? argv[1] : cutwater::boatDatabase();
 
   // A Bullet world as in every Bullet program, z up.
   btDefaultCollisionConfiguration configuration;
@@ -22,12 +22,18 @@ int main(int argc, char** argv) try {
   btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
   world.setGravity(btVector3(0, 0, btScalar(-9.80665)));
 
-  // The sea: 2 m waves of 8 s from port.  The ship: one file that `cutwater solve` made.
+  // The sea: 0.6 m waves of 4.5 s, from port and ahead.
+  const double heading = 2.0;  // of the waves, relative to the ship's: 0 is following, π head seas
   const cutwater::SeaState sea =
-      cutwater::makeSeaState({.hs = 2.0, .tp = 8.0}, {.heading = cutwater::kPi / 2, .ramp = 10.0});
+      cutwater::makeSeaState({.hs = 0.6, .tp = 4.5}, {.heading = heading, .ramp = 10.0});
   cutwater::Seaway seaway(world, sea);
-  const auto frigate = cutwater::readHydrodynamics(argv[1]);
-  cutwater::Ship& ship = seaway.addShip(frigate);
+
+  // The ship: one file that `cutwater solve` made.  It keeps its speed and course.
+  cutwater::ShipSettings settings;
+  settings.start.speed = 3.0;  // m/s
+  settings.model.keepSpeed = {.speed = 3.0};
+  settings.model.keepCourse = {.heading = 0.0};
+  cutwater::Ship& ship = seaway.addShip(cutwater::readHydrodynamics(database), settings);
 
   std::FILE* csv = argc > 2 ? std::fopen(argv[2], "w") : stdout;
   if (csv == nullptr) {
@@ -42,6 +48,8 @@ int main(int argc, char** argv) try {
     world.stepSimulation(btScalar(1) / 60, 1, btScalar(1) / 60);
   }
   if (csv != stdout) std::fclose(csv);
+  std::fprintf(stderr, "hello_ship: %s sailed %.0f m in a minute\n", database.c_str(),
+               ship.position().x());
   return seaway.faults() == cutwater::kStepOk ? 0 : 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "hello_ship: %s\n", error.what());

@@ -1,6 +1,6 @@
 # Installs Cutwater from its build folder into a fresh prefix, builds project/ against it, runs it.
 #   cmake -D BUILD=folder -D WORK=scratch -D PROJECT=folder -D MESH=sphere -D COMPILER=c++
-#         -P consume.cmake
+#         -D FIRST_SHIP=program -P consume.cmake
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
@@ -18,6 +18,11 @@ run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/command --component com
 if(EXISTS ${WORK}/command/include OR NOT EXISTS ${WORK}/command/bin/cutwater)
   message(SEND_ERROR "the component command is the command alone")
 endif()
+foreach(file boat.h5 boat.glb ship.toml)
+  if(NOT EXISTS ${WORK}/command/share/cutwater/boat/${file})
+    message(SEND_ERROR "the command comes without the boat's ${file}")
+  endif()
+endforeach()
 # The command works where it is installed, in both precisions, and the man page names what it does.
 foreach(program cutwater cutwater-float32)
   run(${WORK}/prefix/bin/${program} --version)
@@ -36,7 +41,7 @@ foreach(command IN LISTS commands)
     message(SEND_ERROR "the man page does not name the command ${command}")
   endif()
 endforeach()
-# The package for Debian holds command, man page, libraries and headers.
+# The package for Debian holds command, man page, the boat, libraries and headers.
 find_program(DPKG_DEB dpkg-deb)
 find_program(DPKG_SHLIBDEPS dpkg-shlibdeps)
 if(DPKG_DEB AND DPKG_SHLIBDEPS)
@@ -45,7 +50,9 @@ if(DPKG_DEB AND DPKG_SHLIBDEPS)
   execute_process(COMMAND ${DPKG_DEB} --contents ${package} OUTPUT_VARIABLE contents
                   COMMAND_ERROR_IS_FATAL ANY)
   foreach(file bin/cutwater bin/cutwater-float32 share/man/man1/cutwater.1
-               share/doc/cutwater/copyright include/cutwater/plugin/Seaway.h
+               share/doc/cutwater/copyright share/cutwater/boat/boat.h5
+               share/cutwater/boat/boat.glb share/cutwater/boat/ship.toml
+               include/cutwater/plugin/Seaway.h
                include/cutwater/hydro/solve/Solve.h libcutwater_hydro.a libcutwater_plugin.a
                libcutwater_plugin_float64.a libcutwater_bem.a libcutwater_files.a
                cutwater/cutwater-config.cmake)
@@ -60,7 +67,8 @@ if(DPKG_DEB AND DPKG_SHLIBDEPS)
   endif()
 endif()
 run(${CMAKE_COMMAND} -S ${PROJECT} -B ${WORK}/build -G Ninja -D CMAKE_PREFIX_PATH=${WORK}/prefix
-    -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=Release)
+    -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=Release
+    -D FIRST_SHIP=${FIRST_SHIP})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 # A game links neither Assimp nor LAPACK, by itself or through another library.
 foreach(precision float float64)
@@ -78,3 +86,6 @@ run(${WORK}/build/consumer_solver ${MESH} ${WORK}/sphere.h5)
 foreach(precision float float64)
   run(${WORK}/build/consumer_${precision} ${WORK}/sphere.h5)
 endforeach()
+# The README's program sails the boat that is installed, where the package's own variable says.
+file(READ ${WORK}/build/data_dir.txt data_dir)
+run(${CMAKE_COMMAND} -E chdir ${data_dir}/boat ${WORK}/build/consumer_first)
