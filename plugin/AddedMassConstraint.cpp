@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
+#include "hydro/forces/OwnAxes.h"
 
 CUTWATER_PLUGIN_BEGIN
 
@@ -51,11 +52,8 @@ double response(const btRigidBody& body, const btVector3& linear, const btVector
 }
 
 // Equal but for the rounding with which Bullet renews a body's attitude each tick.
-bool same(const btMatrix3x3& a, const btMatrix3x3& b) {
-  for (int i = 0; i < 3; ++i) {
-    if ((a[i] - b[i]).length2() > btScalar(16) * SIMD_EPSILON * SIMD_EPSILON) return false;
-  }
-  return true;
+bool same(const Mat3& a, const Mat3& b) {
+  return (a - b).squaredNorm() <= 16.0 * static_cast<double>(SIMD_EPSILON * SIMD_EPSILON);
 }
 
 // Bullet's gyroscopic velocity change of this tick, which the solver adds on top of total torque.
@@ -122,15 +120,21 @@ void AddedMassConstraint::heedFactors() noexcept {
     findRows(addedMass_);
     return;
   }
-  const Mat3 toEarth = fromBullet(axes());
-  const auto free = [&](const Vec3& factor) {
+  const TurningAxes toWorld = axes();
+  const auto free = [](const Mat3& turn, const Vec3& factor) {
     const Vec3 kept = (factor.array() != 0.0).cast<double>();
-    return Mat3(toEarth.transpose() * kept.asDiagonal() * toEarth);
+    return Mat3(turn.transpose() * kept.asDiagonal() * turn);
   };
   Mat6 projection = Mat6::Zero();
-  projection.topLeftCorner<3, 3>() = free(linear);
-  projection.bottomRightCorner<3, 3>() = free(angular);
+  projection.topLeftCorner<3, 3>() = free(toWorld.linear, linear);
+  projection.bottomRightCorner<3, 3>() = free(toWorld.angular, angular);
   findRows(projection * addedMass_ * projection);
+}
+
+AddedMassConstraint::TurningAxes AddedMassConstraint::axes() const noexcept {
+  if (follows_) return followed_;
+  const Mat3 body = fromBullet(m_rbA.getWorldTransform().getBasis());
+  return {body, body};
 }
 
 // integrateTransforms copies the solver's velocity into the interpolation velocity before any
@@ -145,7 +149,7 @@ void AddedMassConstraint::forgetPast() noexcept {
 }
 
 void AddedMassConstraint::setPast(const btVector3& linear, const btVector3& angular,
-                                  const btMatrix3x3& axes) noexcept {
+                                  const TurningAxes& axes) noexcept {
   linear_ = linear;
   angular_ = angular;
   pastAxes_ = axes;
@@ -189,38 +193,90 @@ void AddedMassConstraint::pendingChange(Vec3& linear, Vec3& angular) const noexc
             fromBullet(gyroscopicChange(m_rbA, step_));
 }
 
-void AddedMassConstraint::setMean(const btVector3& velocity, double turn,
-                                  const btVector3& up) noexcept {
-  mean_ = fromBullet(velocity);
-  turns_ = turn != 0.0;
-  meanTurn_ = Eigen::AngleAxisd(turn, fromBullet(up)).toRotationMatrix();
+// A∞(v⁻ − V) in the axes of then: Σ l (J·(v⁻ − V)) J.
+Vec6 AddedMassConstraint::pastMomentum() const noexcept {
+  Vec6 velocity;
+  velocity << pastAxes_.linear.transpose() * (fromBullet(linear_) - mean_),
+      pastAxes_.angular.transpose() * fromBullet(angular_);
+  Vec6 momentum = Vec6::Zero();
+  for (int r = 0; r < count_; ++r) {
+    const Row& row = rows_[static_cast<std::size_t>(r)];
+    const double share = row.ratio * (row.linear.dot(velocity.head<3>()) +
+                                      row.angular.dot(velocity.tail<3>()));
+    momentum.head<3>() += share * row.linear;
+    momentum.tail<3>() += share * row.angular;
+  }
+  return momentum;
+}
+
+// The same in the present axes. Axes that turn with the body keep all of it in the world.
+Vec6 AddedMassConstraint::carriedInto(const TurningAxes& now) const noexcept {
+  const Vec6 then = pastMomentum();
+  if (!follows_) {
+    const Mat3 turn = now.linear.transpose() * pastAxes_.linear;
+    Vec6 turned;
+    turned << turn * then.head<3>(), turn * then.tail<3>();
+    return turned;
+  }
+  const auto inEarth = [this](const Mat3& axes) {
+    return Mat3(frame_.transpose() * axes * frame_);
+  };
+  const auto turned = [](const Mat3& turn, const Vec6& momentum) {
+    Vec6 result;
+    result << turn * momentum.head<3>(), turn * momentum.tail<3>();
+    return result;
+  };
+  return turned(frame_, carried(turned(frame_.transpose(), then), inEarth(pastAxes_.linear),
+                                inEarth(pastAxes_.angular), inEarth(now.linear),
+                                inEarth(now.angular)));
+}
+
+Vec6 AddedMassConstraint::momentum() const noexcept {
+  Vec6 velocity;
+  velocity << pastAxes_.linear.transpose() * fromBullet(linear_),
+      pastAxes_.angular.transpose() * fromBullet(angular_);
+  const Vec6 own = addedMass_ * velocity;
+  Vec6 momentum;
+  momentum << pastAxes_.linear * own.head<3>(), pastAxes_.angular * own.tail<3>();
+  return momentum;
+}
+
+// Only where rows are missing: a hull without added mass in some direction.
+void AddedMassConstraint::giveWhatNoRowCarries() noexcept {
+  if (!active_ || held_ || count_ == 6) return;
+  const TurningAxes now = axes();
+  if (same(now.linear, pastAxes_.linear) && same(now.angular, pastAxes_.angular)) return;
+  const Vec6 momentum = carriedInto(now);
+  Vec6 rest = momentum;
+  for (int r = 0; r < count_; ++r) {
+    const Row& row = rows_[static_cast<std::size_t>(r)];
+    const double share =
+        row.linearX.dot(momentum.head<3>()) + row.angularX.dot(momentum.tail<3>());
+    rest.head<3>() -= share * row.linear;
+    rest.tail<3>() -= share * row.angular;
+  }
+  m_rbA.applyCentralImpulse(toBullet(Vec3(now.linear * rest.head<3>())));
+  m_rbA.applyTorqueImpulse(toBullet(Vec3(now.angular * rest.tail<3>())));
+}
+
+void AddedMassConstraint::beginTick(btScalar step) noexcept {
+  step_ = step;
+  giveWhatNoRowCarries();
 }
 
 // p⁻ in the present axes stands for the velocity x·p⁻/l along row r, which differs from J·v⁻ by
-// what is returned. The momentum of v⁻ − V at the last solve is p = Σ l (J·(v⁻ − V)) J in the axes
-// of then; that of QV is taken in the present axes, where it stands for J·QV itself.
-Vec6 AddedMassConstraint::changeByTurning(const btMatrix3x3& axesNow) const noexcept {
+// what is returned. V's momentum stands for J·V itself.
+Vec6 AddedMassConstraint::changeByTurning(const TurningAxes& now) const noexcept {
   Vec6 change = Vec6::Zero();
-  if (!turns_ && same(axesNow, pastAxes_)) return change;
-  const Mat3 toNow = fromBullet(axesNow).transpose(), toThen = fromBullet(pastAxes_).transpose();
-  const Vec3 angular = fromBullet(angular_), swung = fromBullet(linear_) - mean_;
-  const Vec3 linearThen = toThen * swung, angularThen = toThen * angular;
-  Vec3 momentum = Vec3::Zero(), moment = Vec3::Zero();
+  if (same(now.linear, pastAxes_.linear) && same(now.angular, pastAxes_.angular)) return change;
+  const Vec6 momentum = carriedInto(now);
+  const Vec3 swung = now.linear.transpose() * (fromBullet(linear_) - mean_);
+  const Vec3 turned = now.angular.transpose() * fromBullet(angular_);
   for (int r = 0; r < count_; ++r) {
     const Row& row = rows_[static_cast<std::size_t>(r)];
-    const double share = row.ratio * (row.linear.dot(linearThen) + row.angular.dot(angularThen));
-    momentum += share * row.linear;
-    moment += share * row.angular;
-  }
-  const Mat3 turn = toNow * meanTurn_ * toThen.transpose();
-  const Vec3 meanChange = toNow * (meanTurn_ * mean_ - fromBullet(linear_));  // QV − v⁻
-  momentum = turn * momentum;
-  moment = turn * moment;
-  const Vec3 angularNow = toNow * angular;
-  for (int r = 0; r < count_; ++r) {
-    const Row& row = rows_[static_cast<std::size_t>(r)];
-    change[r] = (row.linearX.dot(momentum) + row.angularX.dot(moment)) / row.ratio +
-                row.linear.dot(meanChange) - row.angular.dot(angularNow);
+    change[r] = (row.linearX.dot(momentum.head<3>()) + row.angularX.dot(momentum.tail<3>())) /
+                    row.ratio -
+                row.linear.dot(swung) - row.angular.dot(turned);
   }
   return change;
 }
@@ -240,8 +296,8 @@ void AddedMassConstraint::getInfo2(btConstraintInfo2* info) {
   info->m_damping = 0;
   for (int r = 0; r < count_; ++r) {
     const Row& row = rows_[static_cast<std::size_t>(r)];
-    const btVector3 j = solved_ * toBullet(row.linear);
-    const btVector3 k = solved_ * toBullet(row.angular);
+    const btVector3 j = toBullet(Vec3(solved_.linear * row.linear));
+    const btVector3 k = toBullet(Vec3(solved_.angular * row.angular));
     const double ratio = row.ratio * (follows_ ? response(m_rbA, j, k) : 1.0);  // l s
     const double kappa = 0.5 * (std::sqrt(1.0 + 2.0 / ratio) - 1.0);
     const int at = r * info->rowskip;

@@ -16,17 +16,15 @@ CUTWATER_PLUGIN_BEGIN
 ///     (M + A∞)(v⁺ − v⁻) = P      as      M(v⁺ − v⁻) = P + Σ_r J_rᵀλ_r,   λ_r = −l_r J_r(v⁺ − v⁻)
 ///     A∞ x_r = l_r M x_r,   x_rᵀ M x_r = 1,   J_r = M x_r
 /// in body axes, turned with the body, or in axes that the caller gives (follow): a ship's turn
-/// with its heading but do not heel with it.
+/// with its heading and pitch but do not heel with it.
 /// When the axes R turn, A∞ turns with them, and what acts is the rate of the water's momentum:
 ///     force = −d(R A∞ Rᵀ v)/dt,   so that A∞ v⁻ above is the momentum p⁻ at the last solve.
 /// Over any motion that returns on itself it sums to nothing: a rolling and heaving ship does not
-/// drift by it, as it would with R A∞ Rᵀ dv/dt (roll times heave acceleration has a mean). A ship
-/// under way has a mean velocity V and a mean heading that turns (setMean). What linear theory says
-/// of them is in its terms b(U), c(U), K^U. So V turns with the mean heading without any force, and
-/// the momentum of the rest is kept in axes that turn with it:
-///     p⁻ = R′A∞R′ᵀ QV + Q R A∞ Rᵀ(v⁻ − V),  Q the tick's turn of the mean heading, R′ the axes now
-/// In axes of the mean heading the force is then −d(A∞v)/dt: a hull that coasts and turns keeps
-/// ½vᵀ(M + A∞)v.                                                          theory: Traps, turning
+/// drift by it, as it would with R A∞ Rᵀ dv/dt (roll times heave acceleration has a mean). Of axes
+/// that do not roll, the part about their x axis stays with the body (hydro/forces/OwnAxes.h). What
+/// of p⁻ no row can carry is given to the body as an impulse.
+/// A ship on a fixed course has a mean velocity V (setMean) of which its linear theory says all in
+/// its terms b(U), c(U), K^U: V's momentum then turns with the axes, without any force.
 /// J_r M⁻¹ J_sᵀ = δ_rs (but for a heeled body's inertia in upright axes, where a few passes do):
 /// without contacts one Gauss-Seidel pass is exact. With contacts or joints the sweeps converge as
 /// (l/(1+l))ⁿ against a much heavier partner; see iterationsFor().
@@ -49,16 +47,21 @@ class AddedMassConstraint : public btTypedConstraint {
   AddedMassConstraint(btRigidBody& body, const Mat6& addedMass, const Vec6& mass);
 
   /// States the tick's length h [s]; call in the internal pre-tick, after all impulses.
-  void beginTick(btScalar step) noexcept { step_ = step; }
-  /// From now on the axes of A∞ are these, R_E·, not the body's. Call before forgetPast() at the
-  /// start and before each tick in which they have changed.
-  void follow(const btMatrix3x3& axes) noexcept {
+  void beginTick(btScalar step) noexcept;
+  /// Axes of A∞ in the world's: of its first three rows and columns, and of the other three.
+  struct TurningAxes {
+    Mat3 linear = Mat3::Identity(), angular = Mat3::Identity();
+  };
+  /// From now on the axes of A∞ are these, not the body's. Call before forgetPast() at the start
+  /// and before each tick in which they have changed.
+  /// @param frame  of the world: v_W = frame v_E, z of E up.
+  void follow(const TurningAxes& axes, const Mat3& frame) noexcept {
     followed_ = axes;
+    frame_ = frame;
     follows_ = true;
   }
-  /// V [units/s] in the world's axes at the last solve, and the turn of the mean heading since
-  /// [rad] about `up`. Call each tick before the solve; without it V = 0 and nothing turns.
-  void setMean(const btVector3& velocity, double turn, const btVector3& up) noexcept;
+  /// V [units/s] in the world's axes. Without it V = 0.
+  void setMean(const btVector3& velocity) noexcept { mean_ = fromBullet(velocity); }
   /// Off: it applies nothing until it is on again, when what happened before is not felt.
   void setActive(bool on) noexcept;
   /// Takes the velocity that the solver has just left, whatever actions did to the body since.
@@ -69,9 +72,11 @@ class AddedMassConstraint : public btTypedConstraint {
   /// v⁻ [m/s], [rad/s] in E.
   const btVector3& linearVelocity() const noexcept { return linear_; }
   const btVector3& angularVelocity() const noexcept { return angular_; }
-  /// Axes of A∞, R_E·, when v⁻ was solved for.
-  const btMatrix3x3& pastAxes() const noexcept { return pastAxes_; }
-  void setPast(const btVector3& linear, const btVector3& angular, const btMatrix3x3& axes) noexcept;
+  /// Axes of A∞ when v⁻ was solved for.
+  const TurningAxes& pastAxes() const noexcept { return pastAxes_; }
+  void setPast(const btVector3& linear, const btVector3& angular, const TurningAxes& axes) noexcept;
+  /// R A∞ Rᵀ v⁻ [units of momentum], in the world's axes.
+  Vec6 momentum() const noexcept;
 
   /// Force [N] and moment [N·m] about G in E that it applied, mean over the last tick:
   /// −d(R A∞ Rᵀ v)/dt.
@@ -96,13 +101,14 @@ class AddedMassConstraint : public btTypedConstraint {
     Vec3 linearX, angularX;  // x = M⁻¹J
     double ratio;            // l
   };
-  const btMatrix3x3& axes() const noexcept {
-    return follows_ ? followed_ : m_rbA.getWorldTransform().getBasis();
-  }
+  TurningAxes axes() const noexcept;
   void findRows(const Mat6& addedMass) noexcept;
   void heedFactors() noexcept;
   void pendingChange(Vec3& linear, Vec3& angular) const noexcept;
-  Vec6 changeByTurning(const btMatrix3x3& axesNow) const noexcept;
+  Vec6 pastMomentum() const noexcept;
+  Vec6 carriedInto(const TurningAxes& now) const noexcept;
+  Vec6 changeByTurning(const TurningAxes& now) const noexcept;
+  void giveWhatNoRowCarries() noexcept;
 
   Mat6 addedMass_;  // A∞, symmetric
   Vec6 root_;       // √M
@@ -112,13 +118,12 @@ class AddedMassConstraint : public btTypedConstraint {
   double largestRatio_ = 0.0;  // of the free body
   btScalar step_ = 0;
   btVector3 linear_, angular_;  // v⁻ in E
-  btMatrix3x3 pastAxes_;        // of v⁻
-  btMatrix3x3 solved_;          // of the solve under way
-  btMatrix3x3 followed_;        // the caller's
+  TurningAxes pastAxes_;        // of v⁻
+  TurningAxes solved_;          // of the solve under way
+  TurningAxes followed_;        // the caller's
+  Mat3 frame_ = Mat3::Identity();
   bool follows_ = false, active_ = true;
-  Vec3 mean_ = Vec3::Zero();          // V in E
-  Mat3 meanTurn_ = Mat3::Identity();  // Q
-  bool turns_ = false;
+  Vec3 mean_ = Vec3::Zero();  // V in W
   btJointFeedback feedback_;
 };
 

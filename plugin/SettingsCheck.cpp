@@ -41,10 +41,9 @@ class Check {
 
 void checkModel(const ShipModel& model, const char* function) {
   const Check check(function, "model.");
-  check.within("mean", static_cast<int>(model.mean), 0, static_cast<int>(Mean::Filtered));
+  check.within("mean", static_cast<int>(model.mean), 0, static_cast<int>(Mean::Free));
   check.within("memory", static_cast<int>(model.memory), 0,
                static_cast<int>(MemoryModel::Convolution));
-  check.within("followTime", model.followTime, 0.1, 1e4);
   if (model.keepSpeed) checkOrder(*model.keepSpeed, function);
   if (model.keepCourse) checkOrder(*model.keepCourse, function);
 }

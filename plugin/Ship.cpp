@@ -8,6 +8,7 @@
 
 #include "hydro/Errors.h"
 #include "hydro/forces/Hydrodynamics.h"
+#include "hydro/forces/PredictedMotion.h"
 #include "hydro/forces/SeaTables.h"
 #include "plugin/Rig.h"
 #include "plugin/ShipAxes.h"
@@ -30,16 +31,17 @@ Ship::Ship(btDiscreteDynamicsWorld& world, const WorldFrame& frame,
       rig_(std::make_unique<Rig>(*this)),
       ownBody_(own == nullptr),
       restrained_(settings.model.restrained),
-      course_(settings.model.mean == Mean::Filtered ? settings.model.followTime : 0.0),
       phasors_(tables_->sea().phasorBlocks()) {
   const ShipStart& start = settings.start;
+  if (settings.model.mean == Mean::Free)
+    predicted_ = std::make_shared<PredictedMotion>(tables_, ActiveParts{.restrained = restrained_});
   if (ownBody_) {
-    course_.reset(start.x, start.y, start.heading, start.speed);
+    beginFixed(start.x, start.y, start.heading, start.speed);
     createBody(settings.collision);
   } else {
     adoptBody(*own);
     const Vec3 at = position();
-    course_.reset(at.x(), at.y(), attitude()[2], start.speed);
+    beginFixed(at.x(), at.y(), attitude()[2], start.speed);
   }
   makeParts(settings);
   rig_->addedMass.lent.make(*body_, frame_.mass(coefficients().addedMass.atInfinity));
@@ -98,8 +100,11 @@ void Ship::findLimits() {
     const bool held = restrained_.at(static_cast<std::size_t>(limit.mode));
     return std::min(held ? kNever : limit.speed.value_or(kNever), hydrodynamics().fastest());
   };
-  growsAhead_ = grows(hydrodynamics().stability().ahead);
-  growsAstern_ = grows(hydrodynamics().stability().astern);
+  growsAhead_ = growsAstern_ = hydrodynamics().fastest();
+  if (!free()) {
+    growsAhead_ = grows(hydrodynamics().stability().ahead);
+    growsAstern_ = grows(hydrodynamics().stability().astern);
+  }
   const Mat6& stiffness = coefficients().ship.restoring;
   const Mat6& added = coefficients().addedMass.atInfinity;
   const Mat6 inertia = coefficients().ship.massMatrix() + 0.5 * (added + added.transpose());
@@ -111,7 +116,7 @@ void Ship::findLimits() {
 
 // As a new ship with this start. The body is ours, or one that has come to its place.
 void Ship::place(const ShipStart& start) noexcept {
-  course_.reset(start.x, start.y, start.heading, start.speed);
+  beginFixed(start.x, start.y, start.heading, start.speed);
   const btTransform pose = poseAt(start.offset);
   body_->setCenterOfMassTransform(pose);
   const Vec6 velocity = rotated(bodyAxes(), bodyAxes(), start.velocity);
@@ -141,24 +146,29 @@ void Ship::forget() noexcept {
   }
 }
 
-// v⁻ is the velocity as it is; a filtered course begins at it.
+// v⁻ is the velocity as it is; a free ship's course begins at it.
 void Ship::startAgain() noexcept {
-  turnAddedMass(headingAxes());
+  turnAddedMass(ownAxesNow());
   added().forgetPast();
   velocityAfter_ = velocityInEarth(body_->getLinearVelocity(), body_->getAngularVelocity());
   velocityBefore_ = velocityAfter_;
   lastStep_ = stepBefore_ = 0.0;
   input_.courseBegins = true;
   courseBeginsHere();
-  headingAtSolve_ = course_.heading();
+}
+
+void Ship::beginFixed(double x, double y, double heading, double speed) noexcept {
+  course_.set({x, y, heading}, {speed, 0.0, 0.0});
+  line_ = course_;
 }
 
 void Ship::courseBeginsHere() noexcept {
-  if (!course_.follows()) return;
+  if (!free()) return;
   const Vec3 at = position();
-  const double heading = this->heading();
-  const double ahead = (rotationZ(-heading) * velocityBefore_.head<3>()).x();
-  course_.reset(at.x(), at.y(), heading, ahead, velocityBefore_[Yaw]);
+  const double heading =
+      course_.heading() + std::remainder(this->heading() - course_.heading(), 2.0 * kPi);
+  const Vec3 along = rotationZ(-heading) * velocityBefore_.head<3>();
+  course_.set({at.x(), at.y(), heading}, {along.x(), along.y(), velocityBefore_[Yaw]});
 }
 
 Mat3 Ship::toCourse() const noexcept { return rotationZ(-course_.heading()); }

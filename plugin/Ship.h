@@ -14,7 +14,9 @@
 
 namespace cutwater {
 class Autopilots;
+class FreeRadiation;
 class Hydrodynamics;
+class PredictedMotion;
 class SeaTables;
 struct Coefficients;
 struct CourseForces;
@@ -60,8 +62,8 @@ struct TickRecord {
   Vec3 position = Vec3::Zero();  ///< G in E [m]
   Vec3 attitude = Vec3::Zero();  ///< roll, pitch, yaw [rad] of R_EB = R_z R_y R_x
   Vec6 velocity = Vec6::Zero();  ///< u, v, w [m/s], p, q, r [rad/s] in B
-  /// Of each part in the order of Ship::parts(): force [N] in H, moment [N·m] about G in upright
-  /// axes with the ship's own heading, to first order H. What contacts, joints and Bullet forces of
+  /// Of each part in the order of Ship::parts(): force [N] in H, moment [N·m] about G by its parts
+  /// about the own x axis, the level y and the vertical. What contacts, joints and Bullet forces of
   /// the user add is not here.
   std::vector<Vec6> loads;
 };
@@ -223,16 +225,17 @@ class Ship {
     btTransform transform, interpolated;
     std::array<btVector3, 4> velocities;  // linear, angular; interpolated
     std::array<btVector3, 2> past;        // v⁻
-    btMatrix3x3 pastAxes;                 // of A∞ at v⁻
+    std::array<Mat3, 2> pastAxes;         // of A∞ at v⁻
     Vec6 before;
-    double lastStep = 0.0, stepBefore = 0.0, headingAtSolve = 0.0;
+    double lastStep = 0.0, stepBefore = 0.0;
     bool courseBegins = false;
     int activation = 0;  // Bullet's activation state of the body
     int now = 0;         // ticking, paused, asleep
     std::array<double, 3> lockedYaw{};
     btTransform known;  // pose after the last tick
     TickRecord record;
-    std::array<double, MeanCourse::kStateSize> course;
+    std::array<double, MeanCourse::kStateSize> course, line;
+    std::vector<double> predicted;  // of a free ship
     std::uint64_t hydrodynamicsKey = 0;  // Hydrodynamics::key
     std::uint64_t partsKey = 0;          // of the names of the parts
     std::vector<std::size_t> sizes;      // numbers of each part's state
@@ -290,16 +293,22 @@ class Ship {
   Mat3 bodyAxes() const noexcept;
   Mat3 toCourse() const noexcept;
   double heading() const noexcept;
-  Mat3 headingAxes() const noexcept;
+  Mat3 ownAxesNow() const noexcept;
   Vec6 velocityInEarth(const btVector3& linear, const btVector3& angular) const noexcept;
+  Vec6 velocityNow() const noexcept;
+  Vec6 waterMomentum() const noexcept;
+  void beginFixed(double x, double y, double heading, double speed) noexcept;
   void courseBeginsHere() noexcept;
-  void findMotion(TickInput& input, const Mat3& heading) const noexcept;
-  void findInput(double time, double step, const Mat3& heading) noexcept;
-  std::uint32_t evaluate(const Mat3& heading) noexcept;
+  void findMotion(TickInput& input) const noexcept;
+  void findInput(double time, double step) noexcept;
+  void findOwnMotion() noexcept;
+  void findSlowMotion() noexcept;
+  Vec3 findSlowPlace() noexcept;
+  std::uint32_t evaluate() noexcept;
   Wrench evaluatePart(ShipPart& part) noexcept;
-  Vec6 inCourseAxes(const Wrench& wrench, const Mat3& heading) const noexcept;
+  Vec6 inCourseAxes(const Wrench& wrench) const noexcept;
   Vec6 sumOfLoads() const noexcept;
-  bool apply(double step, const Mat3& heading) noexcept;
+  bool apply(double step) noexcept;
   void turnByInertia(double step) noexcept;
   void holdLockedYaw(double step) noexcept;
   std::uint32_t tick(double time, btScalar step) noexcept;
@@ -308,8 +317,9 @@ class Ship {
   void place(const ShipStart& start) noexcept;
   void forget() noexcept;
   void startAgain() noexcept;
-  void turnAddedMass(const Mat3& heading) noexcept;
-  void aimRestraint(const Mat3& heading, double step) noexcept;
+  void turnAddedMass(const Mat3& own) const noexcept;
+  void aimRestraint(double step) noexcept;
+  bool free() const noexcept { return predicted_ != nullptr; }
 
   // What others did to the body (ShipGuard.cpp).
   void leaveWorld();
@@ -342,7 +352,9 @@ class Ship {
   btVector3 gravityFound_;
   std::array<bool, 6> restrained_{};
   MeanCourse course_;
-  double headingAtSolve_ = 0.0;  // ψ̄ of the last solve
+  MeanCourse line_;  // on which modes are held: the fixed course, or a free ship's from its start
+  std::shared_ptr<PredictedMotion> predicted_;  // of a free ship
+  const FreeRadiation* radiation_ = nullptr;    // of a free ship: one of the parts
 
   std::vector<ShipPart> parts_;
   std::size_t gravityPart_ = kNone, addedMassPart_ = kNone;  // Bullet's own: their places in parts_

@@ -190,7 +190,7 @@ AddedMassConstraint& Ship::added() const {
     mass.head<3>().setConstant(1.0 / static_cast<double>(inverseMass_));
     mass.tail<3>() = fromBullet(inverseInertia_).cwiseInverse();
     lent.make(*body_, frame_.mass(coefficients().addedMass.atInfinity), mass);
-    lent->follow(frame_.rotation(headingAxes()));
+    turnAddedMass(ownAxesNow());
     lent->forgetPast();
     lent->setActive(parts_[addedMassPart_].on);
   }
@@ -272,8 +272,8 @@ std::uint32_t Ship::lookForMoves() noexcept {
   const double turn = std::remainder(heading() - before, 2.0 * kPi);
   body_->updateInertiaTensor();
   const Vec3 at = position();
-  course_.reset(at.x(), at.y(), course_.heading() + (std::abs(turn) > kSameHeading ? turn : 0.0),
-                course_.speed());
+  beginFixed(at.x(), at.y(), course_.heading() + (std::abs(turn) > kSameHeading ? turn : 0.0),
+             course_.speed());
   forget();
   return kCourseBegan;
 }
@@ -290,7 +290,7 @@ std::uint32_t Ship::outsideTheory() const noexcept {
   const bool drowns = hydro.top() > kKnownTop * length() && above + hydro.top() < 0.0;
   if (flies || drowns) faults |= kOutOfWater;
   const bool waves = input_.ramp > 0.0 && !input_.sea->components().empty();
-  if (!course_.follows() && waves && std::hypot(eta[Surge], eta[Sway]) > kFarOff * length())
+  if (!free() && waves && std::hypot(eta[Surge], eta[Sway]) > kFarOff * length())
     faults |= kFarFromCourse;
   return faults;
 }

@@ -7,6 +7,9 @@
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/forces/SeaTables.h"
 #include "hydro/forces/linear/Autopilots.h"
+#include "hydro/forces/PredictedMotion.h"
+#include "hydro/forces/linear/FreeRadiation.h"
+#include "hydro/forces/linear/FreeWaveForce.h"
 #include "hydro/forces/linear/HullLift.h"
 #include "hydro/forces/linear/Radiation.h"
 #include "hydro/forces/linear/Restoring.h"
@@ -32,7 +35,6 @@ bool isName(std::string_view name) {
 
 void Ship::makeParts(const ShipSettings& settings) {
   const Coefficients& c = coefficients();
-  const bool follows = course_.follows();
   const auto database = [this](std::unique_ptr<ForceGenerator> force) {
     const std::string name(force->name());
     addPart({.name = name, .force = std::move(force), .potentialFlow = true});
@@ -43,17 +45,26 @@ void Ship::makeParts(const ShipSettings& settings) {
   };
   addPart({.name = "gravity", .potentialFlow = true});
   database(std::make_unique<Restoring>(c.ship));
-  const WaveForce::Course start{course_.heading(), course_.speed()};
-  database(std::make_unique<WaveForce>(tables_, WaveLoad::FroudeKrylov, start, follows));
-  database(std::make_unique<WaveForce>(tables_, WaveLoad::Diffraction, start, follows));
-  database(std::make_unique<Radiation>(hydrodynamics().radiation(), follows, settings.model.memory,
-                                       SpeedTermBounds{hydrodynamics().fastest(), 0.5 * length()}));
+  if (free()) {
+    for (const WaveLoad load : {WaveLoad::FroudeKrylov, WaveLoad::Diffraction})
+      database(std::make_unique<FreeWaveForce>(predicted_, load));
+    auto radiation = std::make_unique<FreeRadiation>(
+        hydrodynamics().radiation(), predicted_, settings.model.memory, hydrodynamics().fastest(),
+        0.5 * length());
+    radiation_ = radiation.get();
+    database(std::move(radiation));
+  } else {
+    const WaveForce::Course course{course_.heading(), course_.speed()};
+    for (const WaveLoad load : {WaveLoad::FroudeKrylov, WaveLoad::Diffraction})
+      database(std::make_unique<WaveForce>(tables_, load, course));
+    database(std::make_unique<Radiation>(hydrodynamics().radiation(), settings.model.memory));
+  }
   addPart({.name = "added_mass"});
-  added(std::make_unique<SupplementaryForce>(c.ship.supplementary, follows));
-  auto autopilots = std::make_unique<Autopilots>(c.ship, c.addedMass.atInfinity, length());
+  added(std::make_unique<SupplementaryForce>(c.ship.supplementary, free()));
+  auto autopilots = std::make_unique<Autopilots>(c.ship, c.addedMass.atInfinity, length(), free());
   autopilots_ = autopilots.get();
   added(std::move(autopilots));
-  if (follows && settings.model.hullLift) added(std::make_unique<HullLift>(c, length()));
+  if (free() && settings.model.hullLift) added(std::make_unique<HullLift>(predicted_));
   if (settings.model.keepSpeed) keepSpeed(*settings.model.keepSpeed);
   if (settings.model.keepCourse) keepCourse(*settings.model.keepCourse);
 }
@@ -80,6 +91,18 @@ void Ship::partsChanged() {
       for (ShipPart& other : parts_) other.replaced = other.replaced || other.name == name;
     }
   }
+  if (!free()) return;
+  const auto acts = [this](std::string_view name) {
+    return std::any_of(parts_.begin(), parts_.end(), [&](const ShipPart& part) {
+      return part.name == name && part.active();
+    });
+  };
+  predicted_->setParts({.froudeKrylov = acts("froude_krylov"),
+                        .diffraction = acts("diffraction"),
+                        .hullLift = acts("hull_lift"),
+                        .supplementary = acts("supplementary"),
+                        .water = acts("restoring") && acts("radiation") && acts("added_mass"),
+                        .restrained = restrained_});
 }
 
 std::size_t Ship::indexOf(std::string_view name) const {

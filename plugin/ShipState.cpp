@@ -4,7 +4,10 @@
 
 #include "hydro/Errors.h"
 #include "hydro/forces/Hydrodynamics.h"
+#include "hydro/forces/OwnAxes.h"
+#include "hydro/forces/PredictedMotion.h"
 #include "hydro/forces/SeaTables.h"
+#include "hydro/forces/linear/FreeRadiation.h"
 #include "plugin/Rig.h"
 #include "plugin/SettingsCheck.h"
 #include "plugin/Ship.h"
@@ -63,9 +66,12 @@ Mat3 Ship::bodyAxes() const noexcept {
 
 Vec3 Ship::attitude() const noexcept { return eulerAngles(bodyAxes()); }
 
-// Axes with the ship's own heading, but upright: those of moments and of added mass.
 double Ship::heading() const noexcept { return motionAngles(bodyAxes()).z(); }
-Mat3 Ship::headingAxes() const noexcept { return rotationZ(heading()); }
+
+Mat3 Ship::ownAxesNow() const noexcept {
+  const Vec3 angles = motionAngles(bodyAxes());
+  return ownAxes(angles.z(), angles.y());
+}
 
 Vec6 Ship::velocityInEarth(const btVector3& linear, const btVector3& angular) const noexcept {
   Vec6 result;
@@ -81,26 +87,35 @@ Vec6 Ship::velocity() const noexcept {
 
 Vec6 Ship::motion() const noexcept {
   TickInput input;
-  findMotion(input, headingAxes());
+  findMotion(input);
   return input.eta;
 }
 
-// A∞ in upright axes with the ship's heading, M in the ship's own.
+// What the solver left: A∞v⁻ in the axes of that solve, and of a free ship the memory's share.
+Vec6 Ship::waterMomentum() const noexcept {
+  const Vec6 inWorld = addedMass().momentum();
+  Vec6 momentum;
+  momentum << frame_.forceToEarth(toBullet(Vec3(inWorld.head<3>()))),
+      frame_.momentToEarth(toBullet(Vec3(inWorld.tail<3>())));
+  return momentum;
+}
+
 Vec6 Ship::momentum() const noexcept {
-  const Mat3 upright = headingAxes(), body = bodyAxes();
-  const Vec6 own = velocity();
-  const Vec6 inertia = coefficients().ship.massMatrix() * own;
-  const Mat3 toUpright = upright.transpose();
-  const Vec6 water =
-      coefficients().addedMass.atInfinity * rotated(toUpright, toUpright, rotated(body, body, own));
-  return rotated(body, body, inertia) + rotated(upright, upright, water);
+  const Mat3 body = bodyAxes();
+  const Vec6 inertia = coefficients().ship.massMatrix() * velocity();
+  const Vec6 momentum = rotated(body, body, inertia) + waterMomentum();
+  if (radiation_ == nullptr || !enabled("radiation")) return momentum;
+  const Mat3 own = frame_.axes().transpose() * addedMass().pastAxes().angular * frame_.axes();
+  return momentum + rotated(own, own, radiation_->momentum());
 }
 
 double Ship::energy() const noexcept {
   const Mat3 body = bodyAxes(), halfStep = 0.5 * lastStep_ * toCourse();
-  const Vec6 velocity = rotated(body, body, this->velocity());
+  const Vec6 own = this->velocity(), velocity = rotated(body, body, own);
   const Vec6 motion = this->motion() - rotated(halfStep, halfStep, velocity);
-  return 0.5 * velocity.dot(momentum()) + 0.5 * motion.dot(coefficients().ship.restoring * motion);
+  return 0.5 * own.dot(coefficients().ship.massMatrix() * own) +
+         0.5 * velocity.dot(waterMomentum()) +
+         0.5 * motion.dot(coefficients().ship.restoring * motion);
 }
 
 PointMotion Ship::pointMotion(const Vec3& point) const noexcept {
@@ -164,7 +179,7 @@ void Ship::resetVelocity(const Vec3& linear, const Vec3& angular) noexcept {
 
 void Ship::reset(const ShipStart& start) {
   checkStart(start, "Ship::reset");
-  if (!course_.follows()) onCourse_ = tables_->exact(start.heading, start.speed);  // what throws
+  if (!free()) onCourse_ = tables_->exact(start.heading, start.speed);  // what throws
   place(start);
 }
 
@@ -185,11 +200,10 @@ void Ship::save(Snapshot& s) const {
                   body_->getInterpolationLinearVelocity(),
                   body_->getInterpolationAngularVelocity()};
   s.past = {addedMass().linearVelocity(), addedMass().angularVelocity()};
-  s.pastAxes = addedMass().pastAxes();
+  s.pastAxes = {addedMass().pastAxes().linear, addedMass().pastAxes().angular};
   s.before = velocityBefore_;
   s.lastStep = lastStep_;
   s.stepBefore = stepBefore_;
-  s.headingAtSolve = headingAtSolve_;
   s.courseBegins = input_.courseBegins;
   s.activation = body_->getActivationState();
   s.now = static_cast<int>(now_);
@@ -197,6 +211,9 @@ void Ship::save(Snapshot& s) const {
   s.known = known_.pose;
   s.record = record_;
   course_.save(s.course);
+  line_.save(s.line);
+  s.predicted.resize(free() ? predicted_->stateSize() : 0);
+  if (free()) predicted_->save(s.predicted);
   saveParts(s);
 }
 
@@ -229,6 +246,9 @@ void Ship::checkParts(const Snapshot& s) const {
   }
   if (s.partsKey != partsKey_ || s.sizes.size() != parts_.size()) {
     refuse("the snapshot is of a ship whose load has other parts");
+  }
+  if (free() != !s.predicted.empty() || (free() && !predicted_->fits(s.predicted))) {
+    refuse("the snapshot is of a ship on another kind of course, or in another sea");
   }
   const double* from = s.states.data();
   for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -264,6 +284,8 @@ void Ship::restoreParts(const Snapshot& s) {
 void Ship::restore(const Snapshot& s) {
   checkParts(s);
   course_.restore(s.course);
+  line_.restore(s.line);
+  if (free()) predicted_->restore(s.predicted);
   restoreParts(s);
   body_->setCenterOfMassTransform(s.transform);
   body_->setInterpolationWorldTransform(s.interpolated);
@@ -272,12 +294,11 @@ void Ship::restore(const Snapshot& s) {
   body_->setInterpolationLinearVelocity(s.velocities[2]);
   body_->setInterpolationAngularVelocity(s.velocities[3]);
   body_->forceActivationState(s.activation);
-  added().setPast(s.past[0], s.past[1], s.pastAxes);
+  added().setPast(s.past[0], s.past[1], {s.pastAxes[0], s.pastAxes[1]});
   velocityAfter_ = velocityInEarth(s.past[0], s.past[1]);
   velocityBefore_ = s.before;
   lastStep_ = s.lastStep;
   stepBefore_ = s.stepBefore;
-  headingAtSolve_ = s.headingAtSolve;
   input_.courseBegins = s.courseBegins;
   now_ = static_cast<Now>(s.now);
   lockedYaw_ = {s.lockedYaw[0] != 0.0, s.lockedYaw[1], s.lockedYaw[2]};

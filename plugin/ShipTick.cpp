@@ -7,6 +7,7 @@
 
 #include "hydro/Errors.h"
 #include "hydro/forces/Hydrodynamics.h"
+#include "hydro/forces/OwnAxes.h"
 #include "hydro/forces/SeaTables.h"
 #include "plugin/Rig.h"
 #include "plugin/Ship.h"
@@ -20,49 +21,6 @@ namespace {
 constexpr double kLargestCorrection = 0.05;  // of a locked heading in a tick [rad]
 
 }  // namespace
-
-// Bullet moves x_{n+1} = x_n + h v_{n+1}: v_n is the mean over the tick that ended at t_n, centred
-// at t_n − h_n/2, and v_n + (v_n − v_{n−1}) h_n/(h_n + h_{n−1}) is second order at t_n, of equal
-// ticks (3 v_n − v_{n−1})/2. Blows since the last solve are not in it.
-void Ship::findMotion(TickInput& input, const Mat3& heading) const noexcept {
-  const Mat3 course = toCourse(), toHeading = heading.transpose();
-  const Vec3 mean(course_.x(), course_.y(), coefficients().ship.cog.z());
-  const Vec6& velocity = velocityAfter_;
-  Vec6 steady = Vec6::Zero();
-  steady[Surge] = course_.speed();
-  steady[Yaw] = course_.turnRate();
-  input.eta << course * (position() - mean), motionAngles(course * bodyAxes());
-  input.etaDot = rotated(course, toHeading, velocity) - steady;
-  const double ahead = stepBefore_ > 0.0 ? lastStep_ / (lastStep_ + stepBefore_) : 0.5;
-  input.etaDotNow =
-      rotated(course, toHeading, (1.0 + ahead) * velocity - ahead * velocityBefore_) - steady;
-}
-
-void Ship::findInput(double time, double step, const Mat3& heading) noexcept {
-  TickInput& now = input_;
-  now.time = time;
-  now.step = step;
-  now.lastStep = lastStep_ > 0.0 ? lastStep_ : step;
-  now.position = position();
-  now.attitude = bodyAxes();
-  now.weight = coefficients().ship.mass * (toCourse() * frame_.lengthToEarth(world_.getGravity()));
-  now.meanX = course_.x();
-  now.meanY = course_.y();
-  now.meanHeading = course_.heading();
-  now.speed = course_.speed();
-  now.turnRate = course_.turnRate();
-  findMotion(now, heading);
-  Vec6 velocity = now.etaDotNow;
-  velocity[Surge] += now.speed;
-  velocity[Yaw] += now.turnRate;
-  const Mat3 toBody = now.attitude.transpose();
-  now.velocityNow = rotated(toBody * rotationZ(now.meanHeading), toBody * heading, velocity);
-  now.sea = &tables_->sea();
-  now.ramp = now.sea->ramp(time);
-  now.sea->phasors(time, now.meanX, now.meanY, phasors_);
-  now.phasors = phasors_;
-  elevation_ = now.ramp * now.sea->elevation(now.phasors);
-}
 
 // For the tick as Bullet will give it: 1/60 s is another number in single precision.
 void Ship::prepare(double step) {
@@ -107,14 +65,17 @@ Wrench Ship::evaluatePart(ShipPart& part) noexcept {
   return wrench;
 }
 
-Vec6 Ship::inCourseAxes(const Wrench& wrench, const Mat3& heading) const noexcept {
+Vec6 Ship::inCourseAxes(const Wrench& wrench) const noexcept {
   if (wrench.axes == Axes::Course) return wrench.load;
   const Mat3 toEarth = wrench.axes == Axes::Own ? input_.attitude : Mat3(Mat3::Identity());
-  return rotated(toCourse() * toEarth, heading.transpose() * toEarth, wrench.load);
+  Vec6 load;
+  load << toCourse() * (toEarth * wrench.load.head<3>()),
+      generalisedMoment(input_.ownAxes, toEarth * wrench.load.tail<3>());
+  return load;
 }
 
 // A load that is not finite is left out; with what carries the ship its weight is left out as well.
-std::uint32_t Ship::evaluate(const Mat3& heading) noexcept {
+std::uint32_t Ship::evaluate() noexcept {
   std::uint32_t faults = kStepOk;
   Vec6& gravity = record_.loads[gravityPart_];
   gravity.setZero();
@@ -123,7 +84,7 @@ std::uint32_t Ship::evaluate(const Mat3& heading) noexcept {
     ShipPart& part = parts_[i];
     if (!part.force) continue;
     Vec6& load = record_.loads[i];
-    load = part.active() ? inCourseAxes(evaluatePart(part), heading) : Vec6(Vec6::Zero());
+    load = part.active() ? inCourseAxes(evaluatePart(part)) : Vec6(Vec6::Zero());
     if (load.allFinite()) continue;
     load.setZero();
     if (part.force->carriesWeight()) gravity.setZero();
@@ -148,12 +109,13 @@ Vec6 Ship::sumOfLoads() const noexcept {
 }
 
 // Impulses, not forces: Bullet keeps forces over all ticks of one stepSimulation.
-bool Ship::apply(double step, const Mat3& heading) noexcept {
+bool Ship::apply(double step) noexcept {
   const Vec6 loads = sumOfLoads();
   if (!loads.allFinite()) return false;
-  const Vec6 impulse = step * rotated(rotationZ(course_.heading()), heading, loads);
-  body_->applyCentralImpulse(frame_.force(impulse.head<3>()));
-  body_->applyTorqueImpulse(frame_.moment(impulse.tail<3>()));
+  const Vec3 impulse = step * (rotationZ(course_.heading()) * loads.head<3>());
+  const Vec3 twist = step * momentOf(input_.ownAxes, loads.tail<3>());
+  body_->applyCentralImpulse(frame_.force(impulse));
+  body_->applyTorqueImpulse(frame_.moment(twist));
   return true;
 }
 
@@ -229,7 +191,7 @@ std::uint32_t Ship::beginTick(double time, btScalar step) noexcept {
 // A contact may wake the ship within this tick.
 void Ship::readyToWake(btScalar step) noexcept {
   added().setEnabled(true);
-  turnAddedMass(headingAxes());
+  turnAddedMass(ownAxesNow());
   added().forgetPast();
   added().beginTick(step);
 }
@@ -241,36 +203,42 @@ std::uint32_t Ship::tick(double time, btScalar step) noexcept {
   record_.time = time;
   record_.position = position();
   record_.attitude = attitude();
-  const Mat3 heading = headingAxes();
-  findInput(time, length, heading);
+  findInput(time, length);
   record_.velocity = input_.velocityNow;
   faults |= outsideTheory();
-  faults |= evaluate(heading);
-  if (!apply(std::min(length, longestTick_), heading)) faults |= kLoadNotFinite;
+  faults |= evaluate();
+  if (!apply(std::min(length, longestTick_))) faults |= kLoadNotFinite;
   turnByInertia(length);
   holdLockedYaw(length);
-  turnAddedMass(heading);
+  turnAddedMass(input_.ownAxes);
   AddedMassConstraint& addedMass = added();
-  const Vec3 mean = rotationZ(headingAtSolve_) * Vec3(input_.speed, 0.0, 0.0);
-  addedMass.setMean(frame_.length(mean), input_.meanHeading - headingAtSolve_, frame_.upwards());
+  if (!free()) {
+    const Vec3 mean = rotationZ(input_.meanHeading) * Vec3(input_.speed, 0.0, 0.0);
+    addedMass.setMean(frame_.length(mean));
+  }
   addedMass.beginTick(step);
-  aimRestraint(heading, length);
+  aimRestraint(length);
   return faults;
 }
 
-// A∞ follows the ship's heading, not its heel: it belongs to the upright axes of linear theory, as
-// K and C do; turned with a hull that rolls, heave would excite sway at second order.
-void Ship::turnAddedMass(const Mat3& heading) noexcept { added().follow(frame_.rotation(heading)); }
+// A∞ follows the ship's heading and pitch, not its heel: it belongs to the upright axes of linear
+// theory, as K and C do; turned with a hull that rolls, heave would excite sway at second order. On
+// a fixed course forces do not pitch: they belong to H.
+void Ship::turnAddedMass(const Mat3& own) const noexcept {
+  const Mat3 level = rotationZ(std::atan2(own(1, 0), own(0, 0)));
+  const Mat3 world = frame_.axes();
+  const auto inWorld = [&](const Mat3& axes) { return Mat3(world * axes * world.transpose()); };
+  added().follow({inWorld(free() ? own : level), inWorld(own)}, world);
+}
 
-void Ship::aimRestraint(const Mat3& heading, double step) noexcept {
+void Ship::aimRestraint(double step) noexcept {
   if (!rig_->restraint.lent) return;
-  const MeanCourse::Place next = course_.ahead(step);
-  const Mat3 course = rotationZ(input_.meanHeading);
+  const MeanCourse::Place next = line_.ahead(step);
+  const Mat3 course = rotationZ(line_.heading()), heading = rotationZ(this->heading());
   const Vec3 way = course.transpose() *
                    (Vec3(next.x, next.y, coefficients().ship.cog.z()) - record_.position) /
                    (step * frame_.metresPerUnit);
-  const double turn =
-      std::remainder(next.heading - input_.meanHeading - input_.eta[Yaw], 2.0 * kPi);
+  const double turn = std::remainder(next.heading - this->heading(), 2.0 * kPi);
   const Vec3 swing = Vec3(-input_.eta[Roll], -input_.eta[Pitch], turn) / step;
   std::array<btScalar, 6> wanted;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -290,18 +258,15 @@ std::uint32_t Ship::endTick(btScalar step) noexcept {
     addedMass.setPast(known_.linear, known_.angular, addedMass.pastAxes());
   velocityBefore_ = velocityAfter_;
   velocityAfter_ = velocityInEarth(addedMass.linearVelocity(), addedMass.angularVelocity());
-  Vec6 force;
-  force << frame_.forceToEarth(toBullet(addedMass.force())),
-      frame_.momentToEarth(toBullet(addedMass.moment()));
-  if (!force.allFinite()) force.setZero();
-  const double heading = this->heading();
-  record_.loads[addedMassPart_] = rotated(toCourse(), rotationZ(-heading), force);
-  headingAtSolve_ = course_.heading();
+  Vec6 load;
+  load << toCourse() * frame_.forceToEarth(toBullet(addedMass.force())),
+      generalisedMoment(input_.ownAxes, frame_.momentToEarth(toBullet(addedMass.moment())));
+  if (!load.allFinite()) load.setZero();
+  record_.loads[addedMassPart_] = load;
   stepBefore_ = lastStep_;
   lastStep_ = static_cast<double>(step);
-  const Vec3 at = position();
-  course_.advance(lastStep_, {at.x(), at.y(), heading, velocityAfter_[0], velocityAfter_[1],
-                              velocityAfter_[Yaw]});
+  course_.advance(lastStep_);
+  line_.advance(lastStep_);
   remember();
   return faults;
 }

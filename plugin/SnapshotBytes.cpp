@@ -41,7 +41,6 @@ void visitFields(Visitor& v, Snapshot& s) {
   v.field("before", s.before);
   v.field("lastStep", s.lastStep);
   v.field("stepBefore", s.stepBefore);
-  v.field("headingAtSolve", s.headingAtSolve);
   v.field("courseBegins", s.courseBegins);
   v.field("activation", s.activation);
   v.field("now", s.now);
@@ -49,6 +48,8 @@ void visitFields(Visitor& v, Snapshot& s) {
   v.field("known", s.known);
   v.field("record", s.record);
   v.field("course", s.course);
+  v.field("line", s.line);
+  v.field("predicted", s.predicted);
   v.field("hydrodynamicsKey", s.hydrodynamicsKey);
   v.field("partsKey", s.partsKey);
   v.field("sizes", s.sizes);
@@ -99,6 +100,9 @@ void visit(Visitor& v, T& value) {
     visitEach(v, value, 3);
   } else if constexpr (std::same_as<Plain, Vec3> || std::same_as<Plain, Vec6>) {
     visitEach(v, value, static_cast<int>(Plain::RowsAtCompileTime));
+  } else if constexpr (std::same_as<Plain, Mat3>) {
+    auto* numbers = value.data();
+    visitEach(v, numbers, 9);
   } else if constexpr (requires { typename Plain::allocator_type; }) {
     v.sequence(value);
   } else {

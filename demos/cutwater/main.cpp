@@ -25,7 +25,7 @@ struct Arguments {
   double step = 0.05, duration = 30.0;
   MeshReadOptions mesh;
   int threads = 0, panels = 0;
-  bool forces = false;
+  bool forces = false, free = false;
 };
 
 CLI::App* command(CLI::App& app, const std::string& name, const std::string& what,
@@ -157,10 +157,11 @@ void addTables(CLI::App& app, Arguments& a) {
   sub->add_option("database", a.input, "DB.h5")->required();
   wave(sub, a);
   loading(sub, a);
+  sub->add_flag("--free", a.free, "of the free ship (mean = \"free\") instead of a fixed course");
   output(sub, a);
   sub->callback([&a] {
     checkFiles(a);
-    command::rao(a.input, a.waves, a.loading, a.out);
+    command::rao(a.input, a.waves, a.loading, a.free, a.out);
   });
 
   sub = command(app, "retardation", "Memory functions K(tau) of the radiated waves",

@@ -37,11 +37,13 @@ class ExcitationTable {
   ExcitationTable(const Coefficients& coefficients, const SeaState& sea, ForwardSpeedForm form);
 
   const SeaState& sea() const noexcept { return sea_; }
-  /// The two parts of one component, apart: a ship asks for each in a part of its load.
+  /// The two parts of one component, apart.
   /// @param component of the sea.  @param course ψ̄ [rad].  @param speed U [m/s].
+  /// @param leeway  V to port [m/s]: felt in the encounter frequency alone.
   /// Not a number where course or speed is not finite.
   CVec6 froudeKrylov(std::size_t component, double course) const noexcept;
-  CVec6 diffraction(std::size_t component, double course, double speed) const noexcept;
+  CVec6 diffraction(std::size_t component, double course, double speed,
+                    double leeway = 0.0) const noexcept;
   Amplitude at(std::size_t component, double course, double speed) const noexcept {
     return {froudeKrylov(component, course), diffraction(component, course, speed)};
   }
@@ -84,7 +86,7 @@ class ExcitationTable {
   VectorNodes vectorNodes(double omegaE) const noexcept;
   CVec6 fromDirections(double* q, const Encounter& met) const noexcept;
   CVec6 froudeKrylovOf(double omega, double beta) const noexcept;
-  CVec6 diffractionOf(double omega, double beta, double speed) const noexcept;
+  CVec6 diffractionOf(double omega, double beta, double speed, double leeway = 0.0) const noexcept;
 
   SeaState sea_;
   ForwardSpeedForm form_;

@@ -129,12 +129,13 @@ CVec6 ExcitationTable::froudeKrylovOf(double omega, double beta) const noexcept 
   return forceIn(sum.data());
 }
 
-CVec6 ExcitationTable::diffractionOf(double omega, double beta, double speed) const noexcept {
-  if (!std::isfinite(beta) || !std::isfinite(speed)) return notANumber();
+CVec6 ExcitationTable::diffractionOf(double omega, double beta, double speed,
+                                     double leeway) const noexcept {
+  if (!std::isfinite(beta) || !std::isfinite(speed) || !std::isfinite(leeway)) return notANumber();
   std::array<double, std::max(kForceColumns, 4 * kMostDirections)> sum;
   interpolate(omega, beta, {kForceColumns, width_ - kForceColumns}, sum.data());
   if (!hasVectors_) return forceIn(sum.data());
-  return fromDirections(sum.data(), Encounter(omega, speed, beta, sea_.gravity()));
+  return fromDirections(sum.data(), Encounter(omega, speed, leeway, beta, sea_.gravity()));
 }
 
 CVec6 ExcitationTable::froudeKrylov(std::size_t component, double course) const noexcept {
@@ -143,9 +144,9 @@ CVec6 ExcitationTable::froudeKrylov(std::size_t component, double course) const 
 }
 
 CVec6 ExcitationTable::diffraction(std::size_t component, double course,
-                                   double speed) const noexcept {
+                                   double speed, double leeway) const noexcept {
   const WaveComponent& wave = sea_.components()[component];
-  return diffractionOf(wave.omega, wave.heading + course, speed);
+  return diffractionOf(wave.omega, wave.heading + course, speed, leeway);
 }
 
 }  // namespace cutwater

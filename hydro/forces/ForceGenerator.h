@@ -14,9 +14,11 @@ namespace cutwater {
 
 /// The axes in which the six numbers of a load are given. The point is always G.
 enum class Axes {
-  Course,  ///< force in H; moment in upright axes with the ship's own heading (first-order theory)
-  Earth,   ///< E
-  Own      ///< B, fixed to the hull
+  /// Force in H. Moment as generalised forces of roll, pitch and yaw: its parts about the ship's own
+  /// x axis, about the level y axis of its heading, and about the vertical (first-order theory).
+  Course,
+  Earth,  ///< E
+  Own     ///< B, fixed to the hull
 };
 
 /// Force [N] and moment about G [N·m], and their axes.
@@ -39,19 +41,27 @@ struct TickInput {
   Vec6 velocityNow = Vec6::Zero();   ///< u, v, w [m/s], p, q, r [rad/s] in B
   Vec3 weight = Vec3::Zero();        ///< Bullet's gravity on the body, in H [N]
 
-  // The mean course: place and motion of frame H.
-  double meanX = 0.0, meanY = 0.0;  ///< mean place of G in E [m]
+  // The same in axes along the ship's heading and pitch, but not its roll (OwnAxes.h).
+  Mat3 ownAxes = Mat3::Identity();        ///< v_E = R v, as they will be at t_n + h/2
+  Mat3 ownAxesBefore = Mat3::Identity();  ///< those of the tick that ended at t_n
+  Vec6 ownVelocity = Vec6::Zero();        ///< mean over that tick, in those
+  Vec6 ownVelocityNow = Vec6::Zero();     ///< at t_n, in the axes of t_n
+
+  // Frame H. On a fixed course it moves along it. A free ship's is its slow motion: the actual one
+  // less the motion with which linear theory has the ship answer the waves; no filter. In calm
+  // water that is the ship's own place, heading and velocity at t_n.
+  double meanX = 0.0, meanY = 0.0;  ///< place of G in E [m]: here the waves are taken
   double meanHeading = 0.0;         ///< ψ̄ [rad]: x axis of H from that of E, about +z
   double speed = 0.0;               ///< U [m/s] along that axis
   double leeway = 0.0;              ///< V [m/s] across it, to port; 0 on a fixed course
   double turnRate = 0.0;            ///< dψ̄/dt [rad/s]; η̇₆ is the turning beyond it
   bool courseBegins = false;  ///< the course was set anew since the last tick: it did not come here
 
-  // The motion about the mean course, in H. Angular velocities are in upright axes with the ship's
-  // own heading, to first order H.
-  Vec6 eta = Vec6::Zero();        ///< surge, sway, heave of G [m]; roll, pitch, yaw [rad]
-  Vec6 etaDot = Vec6::Zero();     ///< η̇ [m/s, rad/s], mean over the tick that ended at t_n
-  Vec6 etaDotNow = Vec6::Zero();  ///< η̇ at t_n
+  // The motion about H, in H; rotations are those of R_z(ψ̄ + η₆) R_y(η₅) R_x(η₄).
+  Vec6 eta = Vec6::Zero();     ///< surge, sway, heave of G [m]; roll, pitch, yaw [rad]
+  Vec6 etaDot = Vec6::Zero();  ///< η̇ [m/s]; rates about own x, level y, own z [rad/s]: means over
+                               ///< the tick that ended at t_n
+  Vec6 etaDotNow = Vec6::Zero();  ///< the same at t_n
 
   // The water.
   const SeaState* sea = nullptr;      ///< waves; null: calm water

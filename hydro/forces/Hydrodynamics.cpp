@@ -8,6 +8,7 @@
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/excitation/WaveExcitation.h"
+#include "hydro/forces/FreeResponse.h"
 #include "hydro/forces/SeaCache.h"
 #include "hydro/memory/RadiationModel.h"
 #include "hydro/memory/Resonances.h"
@@ -67,10 +68,18 @@ std::shared_ptr<const RadiationModel> Hydrodynamics::radiation() const {
   return radiation_;
 }
 
-const WaveExcitation& Hydrodynamics::excitation() const {
+const WaveExcitation& Hydrodynamics::excitation(ForwardSpeedForm form) const {
   const std::lock_guard lock(mutex_);
-  if (!excitation_) excitation_ = std::make_unique<WaveExcitation>(*coefficients_, form_);
-  return *excitation_;
+  auto& made = excitation_.at(form == ForwardSpeedForm::Tuck ? 1 : 0);
+  if (!made) made = std::make_unique<WaveExcitation>(*coefficients_, form);
+  return *made;
+}
+
+const FreeResponse& Hydrodynamics::freeResponse() const {
+  const auto model = radiation();
+  const std::lock_guard lock(mutex_);
+  if (!freeResponse_) freeResponse_ = std::make_unique<FreeResponse>(*coefficients_, *model);
+  return *freeResponse_;
 }
 
 const SpeedStability& Hydrodynamics::stability() const {

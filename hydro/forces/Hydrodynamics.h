@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -10,6 +11,7 @@
 
 namespace cutwater {
 
+class FreeResponse;
 class RadiationModel;
 class SeaState;
 struct SeaCache;  // of SeaTables
@@ -47,7 +49,10 @@ class Hydrodynamics {
   /// @throws HydroError as RadiationModel.
   std::shared_ptr<const RadiationModel> radiation() const;
   /// Internal: forces of single waves, made once.  @throws HydroError as WaveExcitation.
-  const WaveExcitation& excitation() const;
+  const WaveExcitation& excitation() const { return excitation(form_); }
+  const WaveExcitation& excitation(ForwardSpeedForm form) const;
+  /// Internal: how a free ship answers a wave, made once.  @throws HydroError as radiation().
+  const FreeResponse& freeResponse() const;
   /// Speeds at which the ship's own motions grow, in this form and with its own supplementary
   /// terms. Found once, in some hundredths of a second.  @throws HydroError as radiation().
   const SpeedStability& stability() const;
@@ -65,7 +70,8 @@ class Hydrodynamics {
   std::uint64_t key_;
   mutable std::mutex mutex_;
   mutable std::shared_ptr<const RadiationModel> radiation_;
-  mutable std::unique_ptr<const WaveExcitation> excitation_;
+  mutable std::array<std::unique_ptr<const WaveExcitation>, 2> excitation_;  // by form
+  mutable std::unique_ptr<const FreeResponse> freeResponse_;
   mutable std::optional<SpeedStability> stability_;
   mutable std::vector<std::shared_ptr<SeaCache>> seas_;  // the last one asked for comes last
 };

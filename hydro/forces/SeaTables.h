@@ -27,7 +27,7 @@ class SeaTables {
   const std::shared_ptr<const Hydrodynamics>& hydrodynamics() const noexcept { return hydro_; }
   const SeaState& sea() const noexcept { return *sea_; }
 
-  /// Loads at any course and speed, for a ship whose mean course follows it. Made once: some tenths
+  /// Loads at any course and speed, for a free ship, in Tuck's form. Made once: some tenths
   /// of a second and 10 MB for 200 components.  @throws HydroError as ExcitationTable.
   std::shared_ptr<const ExcitationTable> following() const;
   /// Exact loads on a fixed course. The last SeaCache::kCoursesKept are kept, and those in use.

@@ -9,10 +9,10 @@
 /// Where a ship starts and what acts on it: plain data, known to run files as to programs.
 namespace cutwater {
 
-/// The mean course about which a ship's motions are linear (frame H).
+/// What a ship's motions are linear about (frame H).
 enum class Mean {
-  Fixed,    ///< a straight line at constant speed, whatever the ship does: a towing tank, and [M03]
-  Filtered  ///< follows the ship slowly (MeanCourse.h): a free ship, to be driven and turned
+  Fixed,  ///< a straight line at constant speed, whatever the ship does: a towing tank, and [M03]
+  Free    ///< the ship's own slow motion: to be driven, turned, pushed and towed
 };
 
 /// How the memory of radiated waves is computed.
@@ -23,7 +23,7 @@ enum class MemoryModel {
 
 /// Where a ship starts. SI units and E (z up) whatever the world's are.
 struct ShipStart {
-  double x = 0.0, y = 0.0;     ///< mean place of G in E [m]
+  double x = 0.0, y = 0.0;     ///< place of G in E [m]; of a fixed course the mean one
   double heading = 0.0;        ///< mean heading [rad], −2π..2π: of the bow from E's x, about +z
   double speed = 0.0;          ///< U [m/s] along the mean heading
   Vec6 offset = Vec6::Zero();  ///< from the mean course, in H [m]; roll, pitch, yaw [rad], −π..π
@@ -32,7 +32,8 @@ struct ShipStart {
 
 /// Holds a speed by a thrust in G along the bow:
 ///     T = m'(2ν e + ν² ∫e dt),   e = speed wanted − speed now,   m' = m + A_11(∞),   |T| ≤ limit
-/// Surge at wave frequency ω ≫ ν is hardly felt: it is damped by 2ν/ω of the ship's inertia.
+/// A free ship's speed is that of its slow motion, without the surge in waves. On a fixed course
+/// surge at wave frequency ω ≫ ν is damped by 2ν/ω of the ship's inertia.
 struct SpeedKeeper {
   double speed = 0.0;      ///< wanted [m/s]
   double maxThrust = 0.0;  ///< [N], ahead and astern; 0: 3 % of the ship's weight
@@ -42,7 +43,8 @@ struct SpeedKeeper {
 /// Holds a heading by a moment about G:
 ///     N = k e − 2√(k I') r,   e = heading wanted − heading now,   I' = I_66 + A_66(∞),
 ///     k = I'ν² + U² A_22(∞),   |N| ≤ limit
-/// The last term of k acts against the Munk moment that turns a hull without rudder broadside on.
+/// The last term of k acts against the Munk moment that turns a hull without rudder broadside on. A
+/// free ship's heading is that of its slow motion: its yaw in waves is not answered.
 struct CourseKeeper {
   double heading = 0.0;    ///< wanted [rad], −2π..2π: of the bow from E's x axis, about +z
   double maxMoment = 0.0;  ///< [N·m]; 0: 2 % of weight times length
@@ -51,10 +53,9 @@ struct CourseKeeper {
 
 /// Which theory acts on a ship, and what is added to it.
 struct ShipModel {
-  Mean mean = Mean::Fixed;
-  double followTime = 15.0;  ///< 1/ν of MeanCourse [s], Mean::Filtered
+  Mean mean = Mean::Free;
   MemoryModel memory = MemoryModel::Exponential;
-  bool hullLift = true;              ///< HullLift.h, Mean::Filtered only
+  bool hullLift = true;              ///< HullLift.h, Mean::Free only
   std::array<bool, 6> restrained{};  ///< modes held on the mean course, each by a row of the solver
   std::optional<SpeedKeeper> keepSpeed{};
   std::optional<CourseKeeper> keepCourse{};

@@ -62,10 +62,29 @@ ConvolutionWeights::ConvolutionWeights(const RetardationMatrix& retardation, dou
     const Pair pair{j,
                     k,
                     pairs_.size() * ring_,
-                    {size[0](j, k) > 0.0, size[1](j, k) > 0.0, size[2](j, k) > 0.0}};
+                    {size[0](j, k) > 0.0, size[1](j, k) > 0.0, size[2](j, k) > 0.0,
+                     size[0](j, k) > 0.0}};
     if (pair.holds[0] || pair.holds[1] || pair.holds[2]) pairs_.push_back(pair);
   }
   fill(cells, retardation.linearTotal());
+  fillMomentum(retardation);
+}
+
+// The newest velocity stands for the half tick that is looked ahead as well.
+void ConvolutionWeights::fillMomentum(const RetardationMatrix& retardation) {
+  std::vector<Mat6> cells;
+  for (std::size_t i = 0; i < length_; ++i) {
+    const double end = (static_cast<double>(i) + 1.5) * step_;
+    cells.push_back(retardation.momentumIntegral(i == 0 ? 0.0 : end - step_, end));
+  }
+  const Mat6 total = retardation.momentumIntegral(0.0, HUGE_VAL);
+  for (const Pair& pair : pairs_) {
+    if (!pair.holds[3]) continue;
+    double* run = weights_[3].data() + pair.offset;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < length_; ++i) sum += run[i] = cells[i](pair.j, pair.k);
+    balance(run, total(pair.j, pair.k) - sum);
+  }
 }
 
 void ConvolutionWeights::fill(const std::vector<SpeedKernels>& cells, const Mat6& linearTotal) {
@@ -122,6 +141,19 @@ Vec6 Convolution::advance(const Vec6& etaDot, double speed) noexcept {
 RadiationMemory::Parts Convolution::advanceParts(const Vec6& etaDot) noexcept {
   enter(etaDot);
   return {force(0), force(1), force(2)};
+}
+
+Vec6 Convolution::momentum(const Vec6& velocity, double /*next*/) noexcept {
+  enter(velocity);
+  return force(3);
+}
+
+void Convolution::addSteady(const Vec6& velocity) noexcept {
+  const auto twice = static_cast<std::ptrdiff_t>(2 * weights_->ring());
+  for (std::size_t mode = 0; mode < 6; ++mode) {
+    double* ring = ringOf(mode);
+    std::for_each(ring, ring + twice, [&](double& v) { v += velocity[static_cast<int>(mode)]; });
+  }
 }
 
 void Convolution::reset() noexcept { std::fill(past_.begin(), past_.end(), 0.0); }

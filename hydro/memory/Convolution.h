@@ -13,7 +13,7 @@ class RetardationMatrix;
 ///
 /// ∫₀^∞ K dτ is known (0 for K⁰), but the memory ends at T. What is missing of K⁰ and K^U is added
 /// to the last quarter of the weights as a smooth bump, so that a steady velocity feels no memory
-/// at rest, however short the duration.
+/// at rest, however short the duration; of L⁰ likewise, so that A(0) is kept.
 class ConvolutionWeights {
  public:
   /// @param step h [s] > 0.
@@ -29,22 +29,24 @@ class ConvolutionWeights {
   struct Pair {
     int j, k;
     std::size_t offset;         ///< of its run
-    std::array<bool, 3> holds;  ///< of K⁰, K^U, K^UU: what is not zero
+    std::array<bool, 4> holds;  ///< of K⁰, K^U, K^UU, L⁰: what is not zero
   };
   const std::vector<Pair>& pairs() const noexcept { return pairs_; }
-  /// −K̄ of part 0, 1, 2 (K⁰, K^U, K^UU), ring() numbers from the newest tick on.
+  /// −K̄ of part 0, 1, 2 (K⁰, K^U, K^UU), of part 3 L̄ half a tick ahead; ring() numbers from the
+  /// newest tick on.
   const double* run(std::size_t part, const Pair& pair) const noexcept {
     return weights_[part].data() + pair.offset;
   }
 
  private:
   void fill(const std::vector<SpeedParts<Mat6>>& cells, const Mat6& linearTotal);
+  void fillMomentum(const RetardationMatrix& retardation);
   void balance(double* run, double missing) const;
 
   double step_;
   std::size_t length_, ring_;
   std::vector<Pair> pairs_;
-  std::array<std::vector<double>, 3> weights_;
+  std::array<std::vector<double>, 4> weights_;
 };
 
 /// The memory as the convolution itself, with which faster ways are compared. State: a ring of past
@@ -62,6 +64,8 @@ class Convolution final : public RadiationMemory {
   using RadiationMemory::advance;
   Vec6 advance(const Vec6& etaDot, double speed) noexcept override;
   Parts advanceParts(const Vec6& etaDot) noexcept override;
+  Vec6 momentum(const Vec6& velocity, double next) noexcept override;
+  void addSteady(const Vec6& velocity) noexcept override;
   void reset() noexcept override;
   std::size_t stateSize() const noexcept override { return 2 + 6 * weights_->ring(); }
   void save(std::span<double> state) const noexcept override;

@@ -48,26 +48,28 @@ ExponentialMemory::ExponentialMemory(const ExponentialSum& sum, double step)
                      fmt::format("ExponentialMemory: step = {} s, must be > 0", step));
   }
   advance_.assign(4 * width_, 0.0);
+  halfAdvance_ = advance_;
   states_.assign(6 * 2 * width_, 0.0);
+  ahead_ = states_;
   residues_ = sum.runs(0);
-  makeAdvance();
+  makeAdvance(step_, advance_);
 }
 
 bool ExponentialMemory::setStep(double h) noexcept {
   if (h == step_) return true;
   if (!isTick(h)) return false;
   step_ = h;
-  makeAdvance();
+  makeAdvance(h, advance_);
   return true;
 }
 
-void ExponentialMemory::makeAdvance() noexcept {
+void ExponentialMemory::makeAdvance(double step, std::vector<double>& advance) const noexcept {
   for (std::size_t m = 0; m < sum_.size(); ++m) {
-    const Complex s = sum_.poles()[m], e = std::exp(s * step_), g = (e - 1.0) / s;
-    advance_[m] = e.real();
-    advance_[width_ + m] = e.imag();
-    advance_[2 * width_ + m] = g.real();
-    advance_[3 * width_ + m] = g.imag();
+    const Complex s = sum_.poles()[m], e = std::exp(s * step), g = (e - 1.0) / s;
+    advance[m] = e.real();
+    advance[width_ + m] = e.imag();
+    advance[2 * width_ + m] = g.real();
+    advance[3 * width_ + m] = g.imag();
   }
 }
 
@@ -84,15 +86,42 @@ void ExponentialMemory::enterAll(const Vec6& etaDot) noexcept {
   }
 }
 
-Vec6 ExponentialMemory::force(const std::vector<double>& runs) const noexcept {
-  Vec6 force = Vec6::Zero();
+Vec6 ExponentialMemory::sumOver(const std::vector<double>& runs,
+                                const std::vector<double>& states) const noexcept {
+  Vec6 sum = Vec6::Zero();
   const double* residues = runs.data();
   for (const ExponentialSum::Pair& pair : sum_.pairs()) {
-    const double* z = states_.data() + static_cast<std::size_t>(2 * pair.k) * width_;
-    force[pair.j] += weighted(residues, z, 2 * width_);
+    const double* z = states.data() + static_cast<std::size_t>(2 * pair.k) * width_;
+    sum[pair.j] += weighted(residues, z, 2 * width_);
     residues += 2 * width_;
   }
-  return force;
+  return sum;
+}
+
+Vec6 ExponentialMemory::momentum(const Vec6& velocity, double next) noexcept {
+  enterAll(velocity);
+  if (half_ != 0.5 * next) {
+    half_ = 0.5 * next;
+    makeAdvance(half_, halfAdvance_);
+  }
+  std::copy(states_.begin(), states_.end(), ahead_.begin());
+  for (std::size_t k = 0; k < 6; ++k) {
+    double* z = ahead_.data() + 2 * k * width_;
+    enter(z, z + width_, halfAdvance_.data(), velocity[static_cast<int>(k)], width_);
+  }
+  return sumOver(sum_.momentumRuns(), ahead_);
+}
+
+// ∫₀^∞ e^{sτ} dτ = −1/s.
+void ExponentialMemory::addSteady(const Vec6& velocity) noexcept {
+  for (std::size_t k = 0; k < 6; ++k) {
+    double* z = states_.data() + 2 * k * width_;
+    for (std::size_t m = 0; m < sum_.size(); ++m) {
+      const Complex past = -velocity[static_cast<int>(k)] / sum_.poles()[m];
+      z[m] += past.real();
+      z[width_ + m] += past.imag();
+    }
+  }
 }
 
 Vec6 ExponentialMemory::advance(const Vec6& etaDot, double speed) noexcept {

@@ -30,11 +30,12 @@ std::vector<double> fitFrequencies(double last) {
 struct Spectrum {
   std::vector<double> omega;
   std::vector<RetardationMatrix::Transforms> values;
-  Mat6 linearTotal, speedDamping, speedStiffness, addedMassInf;
+  Mat6 linearTotal, momentumTotal, speedDamping, speedStiffness, addedMassInf;
 
   Spectrum(const RetardationMatrix& K, const Mat6& addedMass)
       : omega(fitFrequencies(K.lastOmega())),
         linearTotal(K.linearTotal()),
+        momentumTotal(K.momentumIntegral(0.0, HUGE_VAL)),
         speedDamping(K.speedDamping()),
         speedStiffness(K.speedStiffness()),
         addedMassInf(addedMass) {
@@ -68,7 +69,8 @@ std::vector<double> sizes(const std::vector<double>& omega, const std::vector<do
 Response responseOf(const Spectrum& s, int j, int k, std::size_t part) {
   const auto n = static_cast<Eigen::Index>(s.omega.size());
   Response r{Eigen::VectorXcd(n), Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n),
-             part == 1 ? s.linearTotal(j, k) : 0.0, part < 2};
+             part == 1 ? s.linearTotal(j, k) : 0.0, part < 2,
+             part == 0 ? s.momentumTotal(j, k) : 0.0, part == 0};
   for (Eigen::Index i = 0; i < n; ++i)
     r.value[i] = s.values[static_cast<std::size_t>(i)][part](j, k);
   for (const double U : kSpeeds) {
@@ -152,7 +154,7 @@ ExponentialSum::ExponentialSum(const RetardationMatrix& retardation, const Mat6&
   if (channels.empty()) return;
   std::vector<Response> responses;
   for (const Channel& c : channels) responses.push_back(responseOf(spectrum, c.j, c.k, c.part));
-  poles_ = fitPoles(spectrum.omega, responses, 2 * poles, kIterations);
+  poles_ = fitPoles(spectrum.omega, responses, 2 * std::min(poles, kMostPoles / 2), kIterations);
   const auto residues = fitResidues(spectrum.omega, responses, poles_);
   error_ = worstError(spectrum.omega, responses, poles_, residues);
   for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -184,6 +186,16 @@ void ExponentialSum::makeRuns() {
       at += 2 * width();
     }
   }
+  momentumRuns_.assign(pairs_.size() * 2 * width(), 0.0);
+  double* at = momentumRuns_.data();
+  for (const Pair& pair : pairs_) {
+    for (std::size_t m = 0; m < poles_.size(); ++m) {
+      const Complex residue = pair.atRest[m] / poles_[m];
+      at[m] = residue.real();
+      at[width() + m] = -residue.imag();
+    }
+    at += 2 * width();
+  }
 }
 
 Mat6 ExponentialSum::at(double tau, double speed) const {
@@ -206,6 +218,27 @@ CMat6 ExponentialSum::transform(double omega, double speed) const {
     K(p.j, p.k) = parts.at(speed);
   }
   return K;
+}
+
+// As ∫K⁰ = 0, L⁰ is Re Σ (R/s) e^{sτ}, whose transform is Σ Re(R/s) even + Im(R/s) odd.
+CMat6 ExponentialSum::momentumTransform(double omega) const noexcept {
+  std::array<Complex, kMostPoles> even, odd;
+  const Complex iw(0.0, omega);
+  for (std::size_t m = 0; m < poles_.size(); ++m) {
+    const Complex one = 1.0 / (iw - poles_[m]), other = 1.0 / (iw - std::conj(poles_[m]));
+    even[m] = 0.5 * (one + other);
+    odd[m] = Complex(0.0, 0.5) * (one - other);
+  }
+  CMat6 L = CMat6::Zero();
+  const double* residues = momentumRuns_.data();
+  for (const Pair& p : pairs_) {
+    Complex sum = 0.0;
+    for (std::size_t m = 0; m < poles_.size(); ++m)
+      sum += residues[m] * even[m] - residues[width() + m] * odd[m];
+    L(p.j, p.k) = sum;
+    residues += 2 * width();
+  }
+  return L;
 }
 
 }  // namespace cutwater

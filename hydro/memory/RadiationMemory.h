@@ -28,6 +28,15 @@ class RadiationMemory {
   /// The same with separate parts: F = atRest + U linear + U² squared.
   using Parts = SpeedParts<Vec6>;
   virtual Parts advanceParts(const Vec6& etaDot) noexcept = 0;
+
+  /// The water's momentum beside A^∞ν of a ship of full velocities ν [kg·m/s, kg·m²/s]:
+  ///   q(t_n + h/2) = ∫₀^∞ L⁰(τ) ν(t_n + h/2 − τ) dτ,   L⁰(τ) = ∫₀^τ K⁰
+  /// Enters the velocity of the tick just ended; it is taken to last over the half tick that is
+  /// looked ahead, of which L⁰, 0 at τ = 0, sees little.
+  /// @param next  length h of the tick to come [s] > 0.
+  virtual Vec6 momentum(const Vec6& velocity, double next) noexcept = 0;
+  /// From now on as if the velocity had always been larger by this.
+  virtual void addSteady(const Vec6& velocity) noexcept = 0;
   /// Forgets the past, as if the ship had always been at rest on the mean course.
   virtual void reset() noexcept = 0;
 

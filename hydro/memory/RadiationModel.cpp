@@ -3,7 +3,12 @@
 namespace cutwater {
 
 RadiationModel::RadiationModel(const Coefficients& coefficients, ForwardSpeedForm form)
-    : retardation_(coefficients, form), addedMassInf_(coefficients.addedMass.atInfinity) {}
+    : retardation_(coefficients, form), addedMassInf_(0.5 * (coefficients.addedMass.atInfinity +
+                           coefficients.addedMass.atInfinity.transpose())) {}
+
+CMat6 RadiationModel::waterMass(double omega) const noexcept {
+  return addedMassInf_.cast<Complex>() + sum_->momentumTransform(omega);
+}
 
 const ExponentialSum& RadiationModel::sum() const {
   const std::lock_guard lock(mutex_);

@@ -30,6 +30,12 @@ class RadiationModel {
   /// The fit, made at the first call: a quarter of a second for 60 frequencies.
   const ExponentialSum& sum() const;
 
+  /// Added mass of the water's momentum at ω (any sign, 0 too), A(ω) + B(ω)/iω at rest, from the
+  /// fit: what p of a ship that oscillates is, over its velocity.
+  /// @pre sum() has been asked for.
+  CMat6 waterMass(double omega) const noexcept;
+  const Mat6& addedMassInf() const noexcept { return addedMassInf_; }  ///< A(∞), symmetric
+
   ForwardSpeedForm form() const noexcept { return retardation_.form(); }
   const RetardationMatrix& retardation() const noexcept { return retardation_; }
   /// False: the database holds no ∂A, ∂B, which the report's form needs at U ≠ 0.

@@ -222,6 +222,11 @@ SpeedKernels RetardationMatrix::kernels(double tau) const {
   return k;
 }
 
+Mat6 RetardationMatrix::momentumIntegral(double a, double b) const {
+  const Mat6 all = atRest(Level::Remaining, a);
+  return std::isfinite(b) ? Mat6(all - atRest(Level::Remaining, b)) : all;
+}
+
 SpeedKernels RetardationMatrix::integrals(double a, double b) const {
   SpeedKernels k{integral(b) - integral(a), Mat6::Zero(), Mat6::Zero()};
   if (!hasSpeedTerms_) return k;

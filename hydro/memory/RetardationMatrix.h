@@ -55,6 +55,8 @@ class RetardationMatrix {
   Transforms transforms(double omega) const;
   /// ∫₀^∞ K^U dτ [unit of B · s/m]; ∫₀^∞ K⁰ dτ = 0.
   Mat6 linearTotal() const;
+  /// ∫_a^b ∫₀^τ K⁰ ds dτ [unit of A]; b = ∞ for a ship's whole past.  ∫₀^∞ is A(0) − A(∞).
+  Mat6 momentumIntegral(double a, double b) const;
   const Mat6& speedDamping() const noexcept { return speedDamping_; }  ///< b/U [unit of B · s/m]
   const Mat6& speedStiffness() const noexcept { return speedStiffness_; }  ///< c/U² [kg/m ...]
   const Mat6& addedMassXInf() const noexcept { return addedMassXInf_; }    ///< ∂A^∞, consistent

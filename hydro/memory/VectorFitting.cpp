@@ -118,11 +118,33 @@ std::vector<Complex> fitPoles(const std::vector<double>& omega,
   return poles;
 }
 
+namespace {
+
+/// Of each column of the basis at ω = 0: its value and its slope over iω, both real.
+Matrix basisAtZero(const std::vector<Complex>& poles) {
+  const Matrix value = rationalBasis({0.0}, poles).real();
+  Matrix known(value.cols(), 2);
+  known.col(0) = value.row(0).transpose();
+  Eigen::Index c = 0;
+  for (const Complex& s : poles) {
+    const Complex slope = -1.0 / (s * s);
+    if (s.imag() > 0.0) {
+      known(c++, 1) = 2.0 * slope.real();
+      known(c++, 1) = -2.0 * slope.imag();
+    } else {
+      known(c++, 1) = slope.real();
+    }
+  }
+  return known;
+}
+
+}  // namespace
+
 std::vector<std::vector<Complex>> fitResidues(const std::vector<double>& omega,
                                               const std::vector<Response>& responses,
                                               const std::vector<Complex>& poles) {
   const Eigen::MatrixXcd basis = rationalBasis(omega, poles);
-  const Vector atZero = rationalBasis({0.0}, poles).real().row(0).transpose();
+  const Matrix known = basisAtZero(poles);
   std::vector<std::vector<Complex>> residues;
   for (const Response& r : responses) {
     const Matrix rows = stacked(basis, r);
@@ -130,11 +152,14 @@ std::vector<std::vector<Complex>> fitResidues(const std::vector<double>& omega,
     const Eigen::HouseholderQR<Matrix> qr(rows * norms.cwiseInverse().asDiagonal());
     Vector factors = qr.solve(Vector(stacked(r.value, r)));
     if (r.holdsZero) {
-      const Vector goal = atZero.cwiseQuotient(norms);
+      const Matrix goals =
+          norms.cwiseInverse().asDiagonal() * known.leftCols(r.holdsSlope ? 2 : 1);
+      const Vector values = Eigen::Vector2d(r.atZero, r.slope).head(goals.cols());
       const auto R = qr.matrixQR().topRows(rows.cols()).triangularView<Eigen::Upper>();
-      const Vector half = R.transpose().solve(goal);
-      const Vector direction = R.solve(half);  // (XᵀX)⁻¹ g
-      factors += direction * ((r.atZero - goal.dot(factors)) / goal.dot(direction));
+      const Matrix half = R.transpose().solve(goals);
+      const Matrix directions = R.solve(half);  // (XᵀX)⁻¹ G
+      const Matrix among = goals.transpose() * directions;
+      factors += directions * among.partialPivLu().solve(values - goals.transpose() * factors);
     }
     factors = factors.cwiseQuotient(norms);
     std::vector<Complex> found;

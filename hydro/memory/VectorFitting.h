@@ -13,6 +13,8 @@ struct Response {
   Eigen::VectorXd weightRe, weightIm;
   double atZero = 0.0;  ///< H(0), kept exactly if `holdsZero`
   bool holdsZero = false;
+  double slope = 0.0;  ///< dH/d(iω) at 0, kept exactly if `holdsSlope`; only beside H(0)
+  bool holdsSlope = false;
 };
 
 /// Σ over columns: of a real pole 1/(iω − s); of a pair, s and s* counted once with Im s > 0, the

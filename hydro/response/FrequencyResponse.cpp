@@ -7,6 +7,8 @@
 
 #include "hydro/Errors.h"
 #include "hydro/database/ForwardSpeed.h"
+#include "hydro/database/FreeMotion.h"
+#include "hydro/database/HullLiftFactors.h"
 #include "hydro/excitation/WaveExcitation.h"
 #include "hydro/waves/Encounter.h"
 
@@ -51,15 +53,57 @@ FrequencyResponse::FrequencyResponse(const CoefficientTables& coefficients,
   }
 }
 
+FrequencyResponse::FrequencyResponse(const CoefficientTables& coefficients, const Free& free,
+                                     std::array<bool, 6> restrained)
+    : FrequencyResponse(coefficients, restrained, ForwardSpeedForm::Tuck) {
+  free_ = free;
+}
+
+CMat6 FrequencyResponse::systemOnCourse(double omega, double speed) const {
+  const Supplementary& given = coefficients_.ship.supplementary;
+  CMat6 system = radiationImpedance(coefficients_, omega, speed, form_);
+  system.diagonal() += given.stiffness.cast<Complex>();
+  return system;
+}
+
+CMat6 FrequencyResponse::systemOfFree(double omega, double speed) const {
+  const SteadyWay way{speed, 0.0};
+  const Complex s(0.0, omega);
+  const SpeedCoefficients rest = atSpeed(coefficients_, omega, 0.0, form_);
+  CMat6 water = rest.addedMass.cast<Complex>();
+  if (omega > 0.0) water += rest.damping.cast<Complex>() / s;
+  const CMat6 symmetric = 0.5 * (water + water.transpose());
+  const Mat6& atZero = coefficients_.addedMass.atZero;
+  CMat6 system = waterLoad(s, way, symmetric, 0.5 * (atZero + atZero.transpose()));
+  const Supplementary& given = coefficients_.ship.supplementary;
+  for (const int j : {Heave, Roll, Pitch}) system(j, j) += given.stiffness[j];
+  if (!free_->hullLift) return system;
+  const HullLiftFactors lift(coefficients_, coefficients_.ship.lengthOverall());
+  const CMat6 velocities = ownVelocities(s, way);
+  system.row(Sway) += std::abs(speed) * lift.side * velocities.row(Sway);
+  system.row(Yaw) += std::abs(speed) * lift.turn * velocities.row(Yaw);
+  return system;
+}
+
+CVec6 FrequencyResponse::liftOf(double omegaI, double heading, double speed) const {
+  CVec6 force = CVec6::Zero();
+  if (!free_ || !free_->hullLift) return force;
+  const HullLiftFactors lift(coefficients_, coefficients_.ship.lengthOverall());
+  const auto water = lift.orbital(omegaI, omegaI * omegaI / coefficients_.ship.gravity, heading);
+  force[Sway] = std::abs(speed) * lift.side * water.side;
+  force[Yaw] = std::abs(speed) * lift.turn * water.turn;
+  return force;
+}
+
 CVec6 FrequencyResponse::at(double omegaI, double heading, double speed) const {
   const ShipParticulars& ship = coefficients_.ship;
   const Encounter met(omegaI, speed, heading, ship.gravity);
   const double omega = met.frequency();
-  const CVec6 force = met.conjugatedIfOvertaking(excitation_->at(omegaI, heading, speed).total());
-  Mat6 stiffness = ship.restoring;
-  stiffness.diagonal() += ship.supplementary.stiffness;
-  CMat6 system = radiationImpedance(coefficients_, omega, speed, form_) +
-                 (stiffness - omega * omega * ship.massMatrix()).cast<Complex>();
+  const CVec6 wave =
+      excitation_->at(omegaI, heading, speed).total() + liftOf(omegaI, heading, speed);
+  const CVec6 force = met.conjugatedIfOvertaking(wave);
+  CMat6 system = free_ ? systemOfFree(omega, speed) : systemOnCourse(omega, speed);
+  system += (ship.restoring - omega * omega * ship.massMatrix()).cast<Complex>();
   system.diagonal() += Complex(0.0, omega) * ship.supplementary.damping.cast<Complex>();
 
   std::vector<int> free;

@@ -24,8 +24,18 @@ inline constexpr double kLeastEncounterFrequency = 0.1;
 /// and is left out. η(t) = Re{η̂ e^{iω′t}} with the signed ω′ = ω_I − kU cos β: for ω′ < 0 the
 /// equation is solved at ω_e = |ω′| for conj(F) and the answer conjugated. Answers below
 /// kLeastEncounterFrequency are of no use in surge, sway and yaw.
+///
+/// That is a ship on a fixed course. A free ship (Mean::Free of ShipSettings.h), linearised about
+/// its steady way, obeys
+///   {−ω′²M + iω′B_s + C + C_s + Q(U) + lift} η̂ = F_I + F_D + lift of the orbital velocity
+/// with Q of database/FreeMotion.h, Tuck's form and what A₁₁ adds to it, Tuck's form of F_D, no
+/// stiffness given for surge, sway and yaw, and the lift of the hull (HullLiftFactors.h).
 class FrequencyResponse {
  public:
+  /// Of a free ship.
+  struct Free {
+    bool hullLift = true;
+  };
   /// @param coefficients must outlive this object.
   /// @param restrained   modes held: their η̂ is 0 and their equations are dropped.
   /// @param form         of the forward-speed terms; absent: the database's own.
@@ -34,6 +44,9 @@ class FrequencyResponse {
   explicit FrequencyResponse(const CoefficientTables& coefficients,
                              std::array<bool, 6> restrained = {},
                              std::optional<ForwardSpeedForm> form = {});
+  /// Of a free ship.  @throws as the other.
+  FrequencyResponse(const CoefficientTables& coefficients, const Free& free,
+                    std::array<bool, 6> restrained = {});
 
   /// η̂ [m/m, rad/m] about G per metre of wave amplitude, crest over G's mean position at t = 0.
   /// @param omegaI ω_I [rad/s].  @param heading β [rad].  @param speed U [m/s].
@@ -45,10 +58,15 @@ class FrequencyResponse {
   CVec6 at(double omegaI, double heading, double speed = 0.0) const;
 
  private:
+  CMat6 systemOnCourse(double omega, double speed) const;
+  CMat6 systemOfFree(double omega, double speed) const;
+  CVec6 liftOf(double omegaI, double heading, double speed) const;
+
   const CoefficientTables& coefficients_;
   ForwardSpeedForm form_;
   std::shared_ptr<const WaveExcitation> excitation_;
   std::array<bool, 6> restrained_;
+  std::optional<Free> free_;
 };
 
 }  // namespace cutwater

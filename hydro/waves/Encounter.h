@@ -22,6 +22,11 @@ class Encounter {
   /// @param heading β [rad].  @param gravity [m/s²].
   Encounter(double omegaI, double speed, double heading, double gravity) noexcept
       : speed_(speed), signed_(encounterFrequency(omegaI, speed, heading, gravity)) {}
+  /// The same of a ship that also makes leeway V to port: ω′ = ω_I − k(U cos β − V sin β).
+  Encounter(double omegaI, double speed, double leeway, double heading, double gravity) noexcept
+      : speed_(speed),
+        signed_(encounterFrequency(omegaI, speed, heading, gravity) +
+                omegaI * omegaI / gravity * leeway * std::sin(heading)) {}
   Encounter(const AiryWave& wave, double speed) noexcept
       : Encounter(wave.omega, speed, wave.heading, wave.gravity) {}
 

@@ -32,11 +32,15 @@ CVec6 motion(const FrequencyResponse& response, double omega, double heading, do
 }  // namespace
 
 void rao(const std::string& database, const WaveOptions& options, const LoadingOptions& loading,
-         const std::string& out) {
+         bool free, const std::string& out) {
+  if (free && options.moving.formName == "report")
+    throw UsageError("--free: a free ship has Tuck's form; --form report belongs to fixed courses");
+  SpeedOptions moving = options.moving;
+  if (free) moving.formName = "tuck";
   const auto cog = given("--cog", loading.cog), gyradii = given("--gyradii", loading.gyradii);
   if (loading.mass && !(*loading.mass > 0.0 && *loading.mass <= 1e15))
     throw UsageError(fmt::format("--mass {}: must be in 0..1e15 kg", *loading.mass));
-  Coefficients coefficients = readDatabase(database, options.moving);
+  Coefficients coefficients = readDatabase(database, moving);
   if (loading.mass || cog || gyradii) {
     const ShipParticulars ship = coefficients.ship;
     naming(database, [&] {
@@ -46,9 +50,13 @@ void rao(const std::string& database, const WaveOptions& options, const LoadingO
   }
   std::optional<FrequencyResponse> response;
   naming(database, [&] {
-    response.emplace(coefficients, std::array<bool, 6>{}, options.moving.form(coefficients));
+    if (free) {
+      response.emplace(coefficients, FrequencyResponse::Free{});
+    } else {
+      response.emplace(coefficients, std::array<bool, 6>{}, moving.form(coefficients));
+    }
   });
-  const double heading = headingRadians(options.headingDeg), speed = options.moving.speed;
+  const double heading = headingRadians(options.headingDeg), speed = moving.speed;
   Csv csv("omega,omega_e,j,amplitude,phase_deg");
   int slow = 0;
   const auto add = [&](double omega) {

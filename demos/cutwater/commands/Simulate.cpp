@@ -54,7 +54,7 @@ void checkStability(const RunFile& run, const Hydrodynamics& ship) {
                            "or set allow_unstable = true");
     warn(run.path + ": " + line);
   }
-  if (run.model.mean == Mean::Filtered && !run.model.keepCourse && stability.course &&
+  if (run.model.mean == Mean::Free && !run.model.keepCourse && stability.course &&
       speed >= *stability.course)
     warn(
         fmt::format("{}: [motion] speed = {} m/s: the ship does not keep its course by itself from "
@@ -100,7 +100,7 @@ std::shared_ptr<const Hydrodynamics> hydrodynamicsOf(RunFile& run) {
 }
 
 void simulate(const std::string& path, bool forces, const std::string& out) {
-  RunFile run = readRunFile(path);
+  RunFile run = readRunFile(path, Mean::Free);
   usePrecision(run.doublePrecision);
   if (run.omega.size() > 1) {
     throw HydroError(Fault::ValueOutOfRange,

@@ -31,6 +31,14 @@ struct WaveRun {
   RunFaults faults{};
 };
 
+// Of a free ship its place, attitude and heading, of which the fit takes a straight line.
+Vec6 motionOf(const Ship& ship, const RunFile& run) {
+  if (run.model.mean == Mean::Fixed) return ship.motion();
+  Vec6 motion;
+  motion << ship.position(), ship.attitude();
+  return motion;
+}
+
 // Motions in one regular wave, per metre and relative to the wave's crest at G, fitted over the
 // second half.
 WaveRun motionInBullet(const RunFile& run, const std::shared_ptr<const Hydrodynamics>& ship,
@@ -43,7 +51,7 @@ WaveRun motionInBullet(const RunFile& run, const std::shared_ptr<const Hydrodyna
     world.step();
     if (world.seaway().time() < 0.5 * run.duration) continue;
     time.push_back(world.seaway().time());
-    const Vec6 eta = world.ship().motion();
+    const Vec6 eta = motionOf(world.ship(), run);
     for (std::size_t j = 0; j < 6; ++j) motion[j].push_back(eta[static_cast<int>(j)]);
   }
   WaveRun result{.faults = world.faults()};
@@ -120,7 +128,7 @@ void tellFaults(const std::string& path, const std::vector<WaveRun>& waves) {
 }  // namespace
 
 void sweep(const std::string& path, int threads, const std::string& out) {
-  RunFile run = readRunFile(path);
+  RunFile run = readRunFile(path, Mean::Fixed);
   usePrecision(run.doublePrecision);
   check(run);
   const auto ship = hydrodynamicsOf(run);
@@ -131,7 +139,10 @@ void sweep(const std::string& path, int threads, const std::string& out) {
       fmt::format("{}: [bullet] duration = {}, dt = {}", run.path, run.duration, run.tick),
       2.0 * 7.0 * 8.0 * ticks *
           static_cast<double>(std::min(workersFor(threads), run.omega.size())));
-  const FrequencyResponse response(coefficients, run.model.restrained);
+  const bool free = run.model.mean == Mean::Free;
+  const FrequencyResponse response =
+      free ? FrequencyResponse(coefficients, {run.model.hullLift}, run.model.restrained)
+           : FrequencyResponse(coefficients, run.model.restrained, ship->form());
   std::vector<WaveRun> waves;
   naming(path, [&] { waves = runAll(run, ship, threads); });
   Csv csv("omega,omega_e,j,time_amplitude,time_phase_deg,freq_amplitude,freq_phase_deg");

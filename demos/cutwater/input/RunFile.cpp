@@ -125,6 +125,17 @@ void readStart(TomlSection start, RunFile& run) {
   start.finish();
 }
 
+void readMean(TomlSection& motion, ShipModel& model) {
+  const char* usual = model.mean == Mean::Free ? "free" : "fixed";
+  const std::string mean = motion.text("mean", usual, {"fixed", "free", "filtered"});
+  if (mean == "filtered")
+    motion.refuse("mean", "= \"filtered\" is no more; \"free\" is the ship that is free to go, "
+                          "\"fixed\" one on a steady course");
+  if (motion.has("follow_time"))
+    motion.refuse("follow_time", "is no more: a free ship needs no filter");
+  model.mean = mean == "free" ? Mean::Free : Mean::Fixed;
+}
+
 void readMotion(TomlSection motion, RunFile& run) {
   run.start.speed = motion.number("speed", 0.0, -100.0, 100.0);
   run.heading = radians(motion.number("heading_deg", 180.0, -kTurn, kTurn), 360.0);
@@ -132,9 +143,7 @@ void readMotion(TomlSection motion, RunFile& run) {
     motion.refuse("mode", "only \"linear\" is possible in this version");
   }
   ShipModel& model = run.model;
-  const bool follows = motion.text("mean", "fixed", {"fixed", "filtered"}) == "filtered";
-  model.mean = follows ? Mean::Filtered : Mean::Fixed;
-  model.followTime = motion.number("follow_time", model.followTime, 1.0, 1e4);
+  readMean(motion, model);
   model.hullLift = motion.boolean("hull_lift", model.hullLift);
   const bool keepSpeed = motion.boolean("keep_speed", false);
   const bool keepCourse = motion.boolean("keep_course", false);
@@ -156,9 +165,10 @@ void readMotion(TomlSection motion, RunFile& run) {
 
 }  // namespace
 
-RunFile readRunFile(const std::string& path) {
+RunFile readRunFile(const std::string& path, Mean usual) {
   TomlFile file(path);
   RunFile run;
+  run.model.mean = usual;
   run.path = path;
   TomlSection& root = file.root();
   if (!root.has("database")) root.refuse("database", "is missing; make one with `cutwater solve`");

@@ -44,8 +44,9 @@ struct RunFile {
   double highestOmega(double gravity) const;
 };
 
+/// @param usual  the mean course unless the file names one.
 /// @throws HydroError naming file, field and value.
-RunFile readRunFile(const std::string& path);
+RunFile readRunFile(const std::string& path, Mean usual);
 
 /// The run's database; if the run names a ship file, its supplementary terms replace the database's
 /// and its mass, centre of gravity and gyradii must be the database's own. A database of another

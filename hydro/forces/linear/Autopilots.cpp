@@ -21,12 +21,14 @@ void check(bool good, const char* what, double value) {
 
 }  // namespace
 
-Autopilots::Autopilots(const ShipParticulars& ship, const Mat6& addedMassInf, double length)
+Autopilots::Autopilots(const ShipParticulars& ship, const Mat6& addedMassInf, double length,
+                       bool free)
     : massSurge_(ship.mass + addedMassInf(Surge, Surge)),
       inertia_(ship.massMatrix()(Yaw, Yaw) + addedMassInf(Yaw, Yaw)),
       addedSway_(addedMassInf(Sway, Sway)),
       weight_(ship.mass * ship.gravity),
-      length_(length) {
+      length_(length),
+      free_(free) {
   check(length > 0.0, "length", length);
 }
 
@@ -63,16 +65,15 @@ double Autopilots::thrust(double speedNow, double lastStep) noexcept {
 
 Wrench Autopilots::evaluate(const TickInput& now) noexcept {
   Vec6 force = Vec6::Zero();
-  const double ahead = now.speed + now.etaDotNow[Surge];
+  const double yaw = free_ ? 0.0 : now.eta[Yaw];  // from the heading that is kept
   if (holdsSpeed_) {
-    const double pull = thrust(ahead, now.lastStep);
-    force[Surge] += pull * std::cos(now.eta[Yaw]);
-    force[Sway] += pull * std::sin(now.eta[Yaw]);
+    const double pull = thrust(now.speed + (free_ ? 0.0 : now.etaDotNow[Surge]), now.lastStep);
+    force[Surge] += pull * std::cos(yaw);
+    force[Sway] += pull * std::sin(yaw);
   }
   if (holdsCourse_) {
-    const double error =
-        std::remainder(course_.heading - now.meanHeading - now.eta[Yaw], 2.0 * kPi);
-    const double rate = now.turnRate + now.etaDotNow[Yaw];
+    const double error = std::remainder(course_.heading - now.meanHeading - yaw, 2.0 * kPi);
+    const double rate = now.turnRate + (free_ ? 0.0 : now.etaDotNow[Yaw]);
     const double stiffness =
         inertia_ * course_.rate * course_.rate + addedSway_ * now.speed * now.speed;
     force[Yaw] = std::clamp(stiffness * error - 2.0 * std::sqrt(stiffness * inertia_) * rate,

@@ -13,7 +13,9 @@ struct ShipParticulars;
 class Autopilots final : public ForceGenerator {
  public:
   /// @param addedMassInf A(∞) [kg, kg·m, kg·m²].  @param length of the ship [m] > 0.
-  Autopilots(const ShipParticulars& ship, const Mat6& addedMassInf, double length);
+  /// @param free  Mean::Free: they see the slow motion.
+  Autopilots(const ShipParticulars& ship, const Mat6& addedMassInf, double length,
+             bool free = false);
 
   /// @throws HydroError ValueOutOfRange: a value that is not finite, a negative limit or rate.
   void hold(const SpeedKeeper& speed);
@@ -41,6 +43,7 @@ class Autopilots final : public ForceGenerator {
   double thrust(double speedNow, double lastStep) noexcept;
 
   double massSurge_, inertia_, addedSway_, weight_, length_;
+  bool free_;
   SpeedKeeper speed_;
   CourseKeeper course_;
   bool holdsSpeed_ = false, holdsCourse_ = false;

@@ -4,16 +4,13 @@
 
 namespace cutwater {
 
-HullLift::HullLift(const Coefficients& coefficients, double length) : lift_(coefficients, length) {}
-
 Wrench HullLift::evaluate(const TickInput& now) noexcept {
-  const double u = now.speed + now.etaDotNow[Surge], heading = now.eta[Yaw];
-  const double leeway = now.etaDotNow[Sway] * std::cos(heading) - u * std::sin(heading);
-  const double side = -lift_.side * std::abs(u) * leeway;
+  const HullLiftFactors& lift = predicted_->response().lift();
+  const PredictedMotion::Sums& wave = predicted_->now();
+  const double way = std::abs(now.speed);
   Vec6 force = Vec6::Zero();
-  force[Surge] = -side * std::sin(heading);
-  force[Sway] = side * std::cos(heading);
-  force[Yaw] = -lift_.turn * std::abs(u) * (now.etaDotNow[Yaw] + now.turnRate);
+  force[Sway] = -lift.side * way * (now.ownVelocityNow[Sway] - wave.orbitalAcross);
+  force[Yaw] = -lift.turn * way * (now.ownVelocityNow[Yaw] - wave.orbitalTurn);
   return {force};
 }
 

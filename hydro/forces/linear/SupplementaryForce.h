@@ -7,21 +7,19 @@ namespace cutwater {
 /// Damping and stiffness given as numbers, for what potential flow lacks: viscous roll damping, the
 /// stiffness of a helmsman.
 ///     F_j = −b_j η̇_j − s_j η_j,   roll also −q |η̇₄| η̇₄                        [M03] section 9
-/// Velocities are those at t_n, so that the term is second order in the tick. Damping of yaw sees
-/// the whole rate of turn; damping of surge sees only what differs from the mean speed. On a course
-/// that follows the ship the stiffness of surge, sway and yaw is left out: a spring to such a
-/// course would drive the ship as well as hold it. A CourseKeeper holds a heading there.
+/// Velocities are those at t_n, so that the term is second order in the tick. Damping sees the
+/// motion about frame H, whose steady way it does not slow. A free ship has no stiffness of surge,
+/// sway and yaw: nothing in the sea holds its place. A CourseKeeper holds its heading.
 class SupplementaryForce final : public ForceGenerator {
  public:
-  /// @param follows  the mean course follows the ship.
-  explicit SupplementaryForce(const Supplementary& terms, bool follows = false) : terms_(terms) {
-    if (follows) terms_.stiffness[Surge] = terms_.stiffness[Sway] = terms_.stiffness[Yaw] = 0.0;
+  /// @param free  Mean::Free.
+  explicit SupplementaryForce(const Supplementary& terms, bool free = false) : terms_(terms) {
+    if (free) terms_.stiffness[Surge] = terms_.stiffness[Sway] = terms_.stiffness[Yaw] = 0.0;
   }
   std::string_view name() const noexcept override { return "supplementary"; }
   Wrench evaluate(const TickInput& now) noexcept override {
     Vec6 force = Vec6::Zero() - terms_.damping.cwiseProduct(now.etaDotNow) -
                  terms_.stiffness.cwiseProduct(now.eta);
-    force[Yaw] -= terms_.damping[Yaw] * now.turnRate;
     const double roll = now.etaDotNow[Roll];
     force[Roll] -= terms_.rollDampingQuadratic * (roll < 0.0 ? -roll : roll) * roll;
     return {force};

@@ -1,0 +1,33 @@
+#include "hydro/database/FreeMotion.h"
+
+namespace cutwater {
+
+CMat6 ownVelocities(Complex s, const SteadyWay& way) {
+  CMat6 N = s * CMat6::Identity();
+  N(Surge, Yaw) += way.leeway;
+  N(Sway, Yaw) -= way.ahead;
+  N(Heave, Pitch) += way.ahead;
+  return N;
+}
+
+CMat6 waterLoad(Complex s, const SteadyWay& way, const CMat6& water, const Mat6& atRest) {
+  const double U = way.ahead, V = way.leeway;
+  const CMat6 nu = ownVelocities(s, way), p = water * nu;
+  const Vec6 steady = atRest.col(Surge) * U + atRest.col(Sway) * V;
+  CMat6 load = s * p;
+  // Heading and pitch turn the steady momentum.
+  load(Surge, Yaw) -= s * steady[Sway];
+  load(Surge, Pitch) += s * steady[Heave];
+  load(Sway, Yaw) += s * steady[Surge];
+  load(Heave, Pitch) -= s * steady[Surge];
+  load(Pitch, Yaw) += s * steady[Roll];
+  load(Yaw, Pitch) -= s * steady[Roll];
+  // V × R p_F about the level y and about the vertical.
+  load.row(Pitch) -= U * p.row(Heave) + steady[Heave] * nu.row(Surge) - steady[Surge] * nu.row(Heave);
+  load.row(Yaw) += U * p.row(Sway) + steady[Sway] * nu.row(Surge) - steady[Surge] * nu.row(Sway) -
+                   V * p.row(Surge);
+  load(Yaw, Pitch) -= V * steady[Heave];
+  return load;
+}
+
+}  // namespace cutwater

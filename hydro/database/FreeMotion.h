@@ -1,0 +1,29 @@
+#pragma once
+#include "hydro/Conventions.h"
+
+namespace cutwater {
+
+/// Steady way of a ship through the water, along its own heading [m/s].
+struct SteadyWay {
+  double ahead = 0.0;   ///< U
+  double leeway = 0.0;  ///< V, to port
+};
+
+/// The free ship, linearised about a steady way (THEORY.md, chapter 12). Motion ξ e^{st} about it
+/// in axes of the steady heading; the water's momentum p = A ν in axes that follow the ship's own
+/// heading and pitch; s = iω′ for waves.
+///
+/// ν = N ξ: velocity of G and rates in those axes, of which heading and pitch turn the steady way:
+///     u = sξ₁ + Vξ₆,   v = sξ₂ − Uξ₆,   w = sξ₃ + Uξ₅,   p, q, r = sξ₄, sξ₅, sξ₆
+CMat6 ownVelocities(Complex s, const SteadyWay& way);
+
+/// The water's load, as a matrix Q of generalised force = −Q ξ (roll about the own x axis, pitch
+/// about the level y, yaw about the vertical):
+///     force = −d(R p_F)/dt,  moment = −d(R p_M)/dt − V × R p_F, without the own x part of both
+/// cross terms. With A₁₁ = A₁₃ = 0 it is Tuck's form S Z⁰ Sᴴ (ForwardSpeed.h) times −iω; what A₁₁
+/// adds does no work.
+/// @param water   A(ω) + B(ω)/iω of the ship at rest, symmetric.
+/// @param atRest  A(0).
+CMat6 waterLoad(Complex s, const SteadyWay& way, const CMat6& water, const Mat6& atRest);
+
+}  // namespace cutwater

@@ -1,0 +1,52 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "hydro/Conventions.h"
+
+/// A ship's own axes: along its heading and its pitch, but not its roll, R = R_z(ψ) R_y(θ). Added
+/// mass turns with them, so that a ship that rolls keeps its lateral symmetry. A moment's part
+/// about x turns the roll alone; its generalised forces are those about x, the level y and the
+/// vertical.
+namespace cutwater {
+
+/// R of a heading and a pitch [rad]. Beyond 45° of pitch, outside the theory, R pitches less than
+/// the ship and never beyond 75°, so that x is never vertical.
+inline Mat3 ownAxes(double heading, double pitch) {
+  constexpr double kWhole = kPi / 4.0, kRest = kPi / 6.0;
+  const double beyond = std::abs(pitch) - kWhole;
+  const double bounded =
+      beyond > 0.0 ? std::copysign(kWhole + kRest * std::tanh(beyond / kRest), pitch) : pitch;
+  return (Eigen::AngleAxisd(heading, Vec3::UnitZ()) * Eigen::AngleAxisd(bounded, Vec3::UnitY()))
+      .toRotationMatrix();
+}
+
+/// Parts about x, the level y and the vertical of a moment in E.
+inline Vec3 generalisedMoment(const Mat3& own, const Vec3& moment) {
+  return {own.col(0).dot(moment), own.col(1).dot(moment), moment.z()};
+}
+
+/// The moment in E that has these parts.
+inline Vec3 momentOf(const Mat3& own, const Vec3& parts) {
+  const double sine = -own(2, 0), cosine = own(2, 2);
+  const Vec3 along = (own.col(0) + sine * Vec3::UnitZ()) / (cosine * cosine);
+  return parts[0] * along + parts[1] * own.col(1) + parts[2] / cosine * own.col(2);
+}
+
+/// Momentum of the water, force part p_F and moment part p_M, both in R, as the ship's next axes
+/// see it that have turned meanwhile: it stands still in E, but for its part about x, which turns
+/// with the ship.                                                             THEORY.md, chapter 12
+inline Vec6 carried(const Vec6& momentum, const Mat3& linearThen, const Mat3& angularThen,
+                    const Mat3& linearNow, const Mat3& angularNow) {
+  const Vec3 moment = angularThen * momentum.tail<3>();
+  const double sine = -angularNow(2, 0), cosine = angularNow(2, 2);
+  Vec6 now;
+  now.head<3>() = linearNow.transpose() * (linearThen * momentum.head<3>());
+  now[Roll] = momentum[Roll];
+  now[Pitch] = angularNow.col(1).dot(moment);
+  now[Yaw] = (moment.z() + sine * momentum[Roll]) / cosine;
+  return now;
+}
+
+}  // namespace cutwater

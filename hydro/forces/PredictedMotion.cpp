@@ -1,0 +1,208 @@
+#include "hydro/forces/PredictedMotion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hydro/base/SimdMath.h"
+#include "hydro/excitation/ExcitationTable.h"
+#include "hydro/forces/Hydrodynamics.h"
+
+namespace cutwater {
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kSameHeading = 5e-4, kSameSpeed = 5e-3;  // [rad], [m/s]: not worth renewing
+constexpr double kOldHeading = kPi / 180.0, kOldSpeed = 0.1;  // the oldest that is used
+constexpr std::size_t kFewest = 2, kMost = 32;                // renewed a tick
+constexpr double kNoShare = 1e-9;  // of w: met too slowly to be told from a steady motion
+
+// Channels of a block.
+enum Channel : std::size_t {
+  Displacement = 0,   // x, y, ψ
+  Velocity = 3,       // their rates
+  MomentumAhead = 6,  // and across
+  OrbitalAcross = 8,  // and turn
+  FroudeKrylov = 10,
+  Diffraction = 16
+};
+
+bool nearEnough(const PredictedMotion::Way& a, const PredictedMotion::Way& b) {
+  return std::abs(a.heading - b.heading) <= kSameHeading &&
+         std::abs(a.through.ahead - b.through.ahead) <= kSameSpeed &&
+         std::abs(a.through.leeway - b.through.leeway) <= kSameSpeed;
+}
+
+bool same(const PredictedMotion::Way& a, const PredictedMotion::Way& b) {
+  return a.heading == b.heading && a.through.ahead == b.through.ahead &&
+         a.through.leeway == b.through.leeway;
+}
+
+bool finite(const PredictedMotion::Way& way) {
+  return std::isfinite(way.heading) && std::isfinite(way.through.ahead) &&
+         std::isfinite(way.through.leeway);
+}
+
+}  // namespace
+
+PredictedMotion::PredictedMotion(std::shared_ptr<const SeaTables> tables, const ActiveParts& parts)
+    : tables_(std::move(tables)),
+      table_(tables_->following()),
+      response_(tables_->hydrodynamics()->freeResponse()),
+      parts_(parts),
+      blocks_(tables_->sea().phasorBlocks()),
+      madeFor_(tables_->sea().components().size(), Way{kNan, {}}) {}
+
+PredictedMotion::~PredictedMotion() = default;
+
+void PredictedMotion::setParts(const ActiveParts& parts) noexcept {
+  if (parts == parts_) return;
+  parts_ = parts;
+  for (std::size_t i = 0; i < madeFor_.size(); ++i) {
+    if (finite(madeFor_[i])) renew(i, madeFor_[i]);
+  }
+}
+
+CUTWATER_VECTOR void PredictedMotion::sumOf(std::span<const Block> blocks,
+                                            std::span<const Phasors4> phasors, std::size_t channels,
+                                            double* sums) noexcept {
+  Double4 total[kChannels] = {};
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const Double4 c = load4(phasors[i].re), s = load4(phasors[i].im);
+    for (std::size_t j = 0; j < channels; ++j) {
+      total[j] += c * load4(blocks[i].re[j].data()) - s * load4(blocks[i].im[j].data());
+    }
+  }
+  for (std::size_t j = 0; j < channels; ++j) sums[j] = cutwater::sumOf(total[j]);
+}
+
+Vec3 PredictedMotion::displacement(std::span<const Phasors4> phasors) const noexcept {
+  Vec3 sums;
+  sumOf(blocks_, phasors, 3, sums.data());
+  return sums;
+}
+
+void PredictedMotion::sum(std::span<const Phasors4> phasors, double ramp) noexcept {
+  Eigen::Matrix<double, kChannels, 1> sums;
+  sumOf(blocks_, phasors, kChannels, sums.data());
+  sums *= ramp;
+  now_.displacement = sums.segment<3>(Displacement);
+  now_.velocity = sums.segment<3>(Velocity);
+  now_.momentumAhead = sums[MomentumAhead];
+  now_.momentumAcross = sums[MomentumAhead + 1];
+  now_.orbitalAcross = sums[OrbitalAcross];
+  now_.orbitalTurn = sums[OrbitalAcross + 1];
+  now_.froudeKrylov = sums.segment<6>(FroudeKrylov);
+  now_.diffraction = sums.segment<6>(Diffraction);
+}
+
+void PredictedMotion::set(std::size_t component, std::size_t channel, Complex value) noexcept {
+  const double a = tables_->sea().components()[component].amplitude;
+  Block& block = blocks_[component / 4];
+  block.re[channel][component % 4] = a * value.real();
+  block.im[channel][component % 4] = a * value.imag();
+}
+
+void PredictedMotion::setAnswer(std::size_t component, double omega, const Way& way,
+                                const CVec6& force) noexcept {
+  const double share = parts_.water ? response_.share(omega) : 0.0;
+  FreeResponse::Answer answer{CVec6::Zero(), CVec6::Zero()};
+  if (share > kNoShare) answer = response_.at(omega, way.through, force, parts_);
+  const Complex rate(0.0, omega);
+  for (std::size_t j = 0; j < 3; ++j) {
+    const int mode = j == 2 ? Yaw : static_cast<int>(j);
+    set(component, Displacement + j, share * answer.motion[mode]);
+    set(component, Velocity + j, share * rate * answer.motion[mode]);
+  }
+  for (std::size_t j = 0; j < 2; ++j)
+    set(component, MomentumAhead + j, share * answer.momentum[static_cast<int>(j)]);
+}
+
+void PredictedMotion::renew(std::size_t component, const Way& way) noexcept {
+  const WaveComponent& wave = tables_->sea().components()[component];
+  const double k = tables_->sea().waveNumber(component), beta = wave.heading + way.heading;
+  const double U = way.through.ahead, V = way.through.leeway;
+  const CVec6 incident = table_->froudeKrylov(component, way.heading);
+  const CVec6 thrownBack = table_->diffraction(component, way.heading, U, V);
+  const auto orbital = response_.lift().orbital(wave.omega, k, beta);
+  CVec6 force = CVec6::Zero();
+  if (parts_.froudeKrylov) force += incident;
+  if (parts_.diffraction) force += thrownBack;
+  if (parts_.hullLift) {
+    force[Sway] += std::abs(U) * response_.lift().side * orbital.side;
+    force[Yaw] += std::abs(U) * response_.lift().turn * orbital.turn;
+  }
+  setAnswer(component, wave.omega - k * (U * std::cos(beta) - V * std::sin(beta)), way, force);
+  set(component, OrbitalAcross, orbital.side);
+  set(component, OrbitalAcross + 1, orbital.turn);
+  for (std::size_t j = 0; j < 6; ++j) {
+    set(component, FroudeKrylov + j, incident[static_cast<int>(j)]);
+    set(component, Diffraction + j, thrownBack[static_cast<int>(j)]);
+  }
+  madeFor_[component] = way;
+}
+
+void PredictedMotion::renewAll(const Way& way) noexcept {
+  next_ = 0;
+  speedBefore_ = way.through.ahead;
+  if (!finite(way)) return;
+  for (std::size_t i = 0; i < madeFor_.size(); ++i) {
+    if (!same(madeFor_[i], way)) renew(i, way);
+  }
+}
+
+void PredictedMotion::follow(const Way& way, double turnRate, double step) noexcept {
+  const double quickening = std::abs(way.through.ahead - speedBefore_) / step;
+  speedBefore_ = way.through.ahead;
+  if (!finite(way) || !std::isfinite(turnRate) || madeFor_.empty()) return;
+  const auto count = static_cast<double>(madeFor_.size());
+  const double aTick = count * step *
+                        std::max(std::abs(turnRate) / kOldHeading, quickening / kOldSpeed);
+  const auto most = static_cast<std::size_t>(
+      std::clamp(std::ceil(aTick), static_cast<double>(kFewest), static_cast<double>(kMost)));
+  // Half of the turn until its next turn to be renewed.
+  Way ahead = way;
+  const double turn = 0.5 * turnRate * step * count / static_cast<double>(most);
+  ahead.heading += std::clamp(turn, -0.5 * kOldHeading, 0.5 * kOldHeading);
+  std::size_t renewed = 0;
+  for (std::size_t n = 0; n < std::min(4 * most, madeFor_.size()) && renewed < most; ++n) {
+    if (!nearEnough(madeFor_[next_], ahead)) {
+      renew(next_, ahead);
+      ++renewed;
+    }
+    next_ = next_ + 1 == madeFor_.size() ? 0 : next_ + 1;
+  }
+}
+
+void PredictedMotion::save(std::span<double> state) const noexcept {
+  state[0] = static_cast<double>(next_);
+  state[1] = speedBefore_;
+  for (std::size_t i = 0; i < madeFor_.size(); ++i) {
+    state[2 + 3 * i] = madeFor_[i].heading;
+    state[3 + 3 * i] = madeFor_[i].through.ahead;
+    state[4 + 3 * i] = madeFor_[i].through.leeway;
+  }
+}
+
+// Before its first tick a ship's amplitudes belong to no way.
+bool PredictedMotion::fits(std::span<const double> state) const noexcept {
+  const auto count = static_cast<double>(std::max<std::size_t>(1, madeFor_.size()));
+  return state.size() == stateSize() && state[0] >= 0.0 && state[0] < count;
+}
+
+void PredictedMotion::restore(std::span<const double> state) noexcept {
+  for (std::size_t i = 0; i < madeFor_.size(); ++i) {
+    const Way way{state[2 + 3 * i], {state[3 + 3 * i], state[4 + 3 * i]}};
+    if (same(madeFor_[i], way)) continue;
+    if (finite(way)) {
+      renew(i, way);
+    } else {
+      madeFor_[i] = way;
+    }
+  }
+  next_ = static_cast<std::size_t>(state[0]);
+  speedBefore_ = state[1];
+}
+
+}  // namespace cutwater

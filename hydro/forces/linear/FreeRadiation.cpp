@@ -1,0 +1,129 @@
+#include "hydro/forces/linear/FreeRadiation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hydro/forces/OwnAxes.h"
+#include "hydro/memory/RadiationModel.h"
+
+namespace cutwater {
+
+namespace {
+
+Vec3 steadyOf(const TickInput& now) { return {now.speed, now.leeway, now.turnRate}; }
+
+}  // namespace
+
+FreeRadiation::FreeRadiation(std::shared_ptr<const RadiationModel> model,
+                             std::shared_ptr<const PredictedMotion> predicted, MemoryModel memory,
+                             double fastest, double halfLength)
+    : model_(std::move(model)),
+      predicted_(std::move(predicted)),
+      memoryModel_(memory),
+      fastest_(fastest),
+      halfLength_(halfLength) {
+  // Takes ticks of any length, so it is made now, not in the first tick.
+  if (memory == MemoryModel::Exponential) memory_ = model_->makeMemory(1.0 / 60.0);
+}
+
+FreeRadiation::~FreeRadiation() = default;
+
+void FreeRadiation::prepare(double step) {
+  if (memory_ && !needsFixedTicks()) return;
+  memory_.reset();
+  begun_ = false;
+  const bool convolution = memoryModel_ == MemoryModel::Convolution;
+  memory_ = convolution ? model_->makeConvolution(step) : model_->makeMemory(step);
+}
+
+// A ship that is put somewhere has always had its way; one whose way is set had that way always,
+// and keeps the waves it has made.
+void FreeRadiation::begin(const TickInput& now) noexcept {
+  const Vec3 steady = steadyOf(now), more = begun_ ? Vec3(steady - steady_) : steady;
+  Vec6 velocity = Vec6::Zero();
+  velocity[Surge] = more[0];
+  velocity[Sway] = more[1];
+  velocity[Yaw] = more[2];
+  if (velocity.allFinite()) memory_->addSteady(velocity);
+}
+
+// Of V × R p_F about the level y, what the steady way has: a steady trim, of which this theory does
+// not know the rest.
+double FreeRadiation::steadyTrim(const TickInput& now) const noexcept {
+  const Mat6& atRest = predicted_->response().addedMassAtRest();
+  return -now.speed * (atRest(Heave, Surge) * now.speed + atRest(Heave, Sway) * now.leeway);
+}
+
+// About the vertical, what the predicted motion has at second order.
+double FreeRadiation::meanYaw(const TickInput& now) const noexcept {
+  const PredictedMotion::Sums& wave = predicted_->now();
+  const Mat6& atRest = predicted_->response().addedMassAtRest();
+  const double turn = wave.displacement[2];
+  const double ahead = wave.velocity[0] + now.leeway * turn;
+  const double across = wave.velocity[1] - now.speed * turn;
+  return ahead * wave.momentumAcross - across * wave.momentumAhead -
+         now.speed * (atRest(Sway, Sway) - atRest(Surge, Surge)) * turn * ahead;
+}
+
+Wrench FreeRadiation::evaluate(const TickInput& now) noexcept {
+  if (!memory_) return {};
+  memory_->setStep(now.lastStep);  // the convolution has been prepared for it
+  if (now.courseBegins || !begun_) begin(now);
+  const Mat3& own = now.ownAxes;
+  const Vec6 after = memory_->momentum(now.ownVelocity, now.step);
+  const bool first = !begun_ || now.courseBegins;
+  const Vec6 before =
+      first ? after : carried(momentum_, now.ownAxesBefore, now.ownAxesBefore, own, own);
+  const Vec6 rate = (before - after) / now.step;
+
+  // V × R p_F at t_n, between the two.
+  const Vec6& nu = now.ownVelocityNow;
+  const Vec6 p = model_->addedMassInf() * nu + 0.5 * (before + after);
+  const double ends = std::hypot(nu.head<3>().norm(), halfLength_ * nu.tail<3>().norm());
+  const double ratio = ends > fastest_ ? fastest_ / ends : 1.0;
+  const Vec3 cross = ratio * ratio * (own * nu.head<3>().cross(p.head<3>()));
+  Vec3 moment = generalisedMoment(own, own * rate.tail<3>());
+  moment[1] -= own.col(1).dot(cross) - ratio * ratio * steadyTrim(now);
+  moment[2] -= cross.z() - meanYaw(now);
+
+  momentum_ = after;
+  steady_ = steadyOf(now);
+  begun_ = true;
+  Wrench wrench{.axes = Axes::Earth};
+  wrench.load << own * rate.head<3>(), momentOf(own, moment);
+  return wrench;
+}
+
+void FreeRadiation::reset() noexcept {
+  if (memory_) memory_->reset();
+  momentum_.setZero();
+  steady_.setZero();
+  begun_ = false;
+}
+
+std::size_t FreeRadiation::stateSize() const noexcept {
+  return memory_ ? kOwnState + memory_->stateSize() : 0;
+}
+
+void FreeRadiation::save(std::span<double> state) const noexcept {
+  if (!memory_) return;
+  std::copy(momentum_.begin(), momentum_.end(), state.begin());
+  std::copy(steady_.begin(), steady_.end(), state.begin() + 6);
+  state[9] = begun_ ? 1.0 : 0.0;
+  memory_->save(state.subspan(kOwnState));
+}
+
+bool FreeRadiation::fits(std::span<const double> state) const noexcept {
+  if (!memory_ || state.size() < kOwnState) return state.empty() && !memory_;
+  return memory_->fits(state.subspan(kOwnState));
+}
+
+void FreeRadiation::restore(std::span<const double> state) noexcept {
+  if (!memory_) return;
+  std::copy_n(state.begin(), 6, momentum_.begin());
+  std::copy_n(state.begin() + 6, 3, steady_.begin());
+  begun_ = state[9] != 0.0;
+  memory_->restore(state.subspan(kOwnState));
+}
+
+}  // namespace cutwater

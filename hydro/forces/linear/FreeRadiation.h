@@ -1,0 +1,70 @@
+#pragma once
+#include <limits>
+#include <memory>
+
+#include "hydro/forces/ForceGenerator.h"
+#include "hydro/forces/PredictedMotion.h"
+#include "hydro/forces/ShipSettings.h"
+
+namespace cutwater {
+
+class RadiationMemory;
+class RadiationModel;
+
+/// Load of the water that a free ship sets in motion, as the rate of that water's momentum in the
+/// ship's own axes R (OwnAxes.h), with its full velocities ν there:
+///     p = A^∞ν + q,   q = ∫₀^∞ L⁰(τ) ν(t − τ) dτ,   L⁰(τ) = ∫₀^τ K⁰
+///     force = −d(R p_F)/dt,   moment = −d(R p_M)/dt − V × R p_F
+/// where the own x part of both cross terms is left out, as R does not roll. Nothing here is slow
+/// or filtered, so that the cross terms do no work and the force has no mean. −d(R A^∞ν)/dt is left
+/// to the engine's solver; V × R p_F is whole. Its mean yaw moment in waves, of second order, is
+/// taken off as the ship's predicted motion has it, and so is the steady trim of its way.
+///                                                             THEORY.md, chapter 12
+///
+/// Loads are differences of momenta half a tick apart from t_n: over any run they add up to what is
+/// left in the water, exactly.
+class FreeRadiation final : public ForceGenerator {
+ public:
+  /// @param predicted  of the same ship.
+  /// @param fastest  [m/s]: where the ends of the hull, halfLength [m] from G, move faster, far
+  ///        outside the theory, the cross terms are taken smaller by the square of the ratio, so
+  ///        that a ship that is thrown stays bounded.
+  FreeRadiation(std::shared_ptr<const RadiationModel> model,
+                std::shared_ptr<const PredictedMotion> predicted,
+                MemoryModel memory = MemoryModel::Exponential,
+                double fastest = std::numeric_limits<double>::infinity(), double halfLength = 0.0);
+  ~FreeRadiation() override;
+
+  std::string_view name() const noexcept override { return "radiation"; }
+  /// @throws HydroError as RadiationModel::makeMemory.
+  void prepare(double step) override;
+  bool needsFixedTicks() const noexcept override {
+    return memoryModel_ == MemoryModel::Convolution;
+  }
+  Wrench evaluate(const TickInput& now) noexcept override;
+  void reset() noexcept override;
+  std::size_t stateSize() const noexcept override;
+  void save(std::span<double> state) const noexcept override;
+  bool fits(std::span<const double> state) const noexcept override;
+  void restore(std::span<const double> state) noexcept override;
+
+  /// q, in the axes of the last tick's solve.
+  const Vec6& momentum() const noexcept { return momentum_; }
+
+ private:
+  static constexpr std::size_t kOwnState = 6 + 3 + 1;
+  void begin(const TickInput& now) noexcept;
+  double steadyTrim(const TickInput& now) const noexcept;
+  double meanYaw(const TickInput& now) const noexcept;
+
+  std::shared_ptr<const RadiationModel> model_;
+  std::shared_ptr<const PredictedMotion> predicted_;
+  std::unique_ptr<RadiationMemory> memory_;  // null before prepare()
+  MemoryModel memoryModel_;
+  double fastest_, halfLength_;
+  Vec6 momentum_ = Vec6::Zero();  // q
+  Vec3 steady_ = Vec3::Zero();    // slow u, v, r of the last tick
+  bool begun_ = false;            // has a past
+};
+
+}  // namespace cutwater
