@@ -162,6 +162,9 @@ void checkCoefficients(const Coefficients& c, const std::string& where) {
                      fmt::format("{}: density {} kg/m3 and gravity {} m/s2 must be > 0", where,
                                  c.ship.density, c.ship.gravity));
   }
+  requireUsable(c.ship.drag, where);
+  if (c.ship.engine) requireUsable(*c.ship.engine, where);
+  if (c.ship.rudder) requireUsable(*c.ship.rudder, where);
 }
 
 }  // namespace cutwater

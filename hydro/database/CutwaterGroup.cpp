@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "hydro/Errors.h"
 #include "hydro/base/EnumNames.h"
@@ -71,6 +72,11 @@ void pack(const std::vector<T>& list, std::vector<double>& to) {
   for (const T& item : list) pack(item, to);
 }
 
+template <class T>
+std::vector<T> listOf(const std::optional<T>& value) {
+  return value ? std::vector<T>{*value} : std::vector<T>{};
+}
+
 Shape shapeOf(double) { return {}; }
 Shape shapeOf(const Face&) { return {4}; }
 Shape shapeOf(const std::pair<double, double>&) { return {2}; }
@@ -116,6 +122,11 @@ class GroupWriter {
     writer_.numbers("cutwater/" + name, shape, data);
   }
   void operator()(const std::string& name, const bool& value) { (*this)(name, value ? 1.0 : 0.0); }
+  /// A list of one, or of none.
+  template <class T>
+  void operator()(const std::string& name, const std::optional<T>& value) {
+    (*this)(name, listOf(value));
+  }
   void operator()(const std::string& name, const PanelShape& value) {
     (*this)(name, static_cast<double>(value));
   }
@@ -159,6 +170,13 @@ class GroupReader {
     double number = 0.0;
     (*this)(name, number);
     value = number != 0.0;
+  }
+  template <class T>
+  void operator()(const std::string& name, std::optional<T>& value) {
+    std::vector<T> list;
+    (*this)(name, list);
+    value.reset();
+    if (!list.empty()) value = list.front();
   }
   void operator()(const std::string& name, PanelShape& value) {
     int number = 0;
@@ -276,6 +294,54 @@ void transferFile(Store&& store, C& c) {
   store("ship/file/origin", c.ship.file.origin);
 }
 
+/// What version 7 added.
+template <class Store, class E>
+void transferEngine(Store&& store, E& engine) {
+  store("ship/engine/max_thrust", engine.maxThrust);
+  store("ship/engine/astern", engine.astern);
+  store("ship/engine/no_thrust_speed", engine.noThrustSpeed);
+  store("ship/engine/time_constant", engine.timeConstant);
+  store("ship/engine/diameter", engine.diameter);
+  store("ship/engine/place", engine.place);
+}
+template <class Store, class R>
+void transferRudder(Store&& store, R& rudder) {
+  store("ship/rudder/area", rudder.area);
+  store("ship/rudder/place", rudder.place);
+  store("ship/rudder/aspect_ratio", rudder.aspectRatio);
+  store("ship/rudder/limit", rudder.limit);
+  store("ship/rudder/rate", rudder.rate);
+  store("ship/rudder/stall", rudder.stall);
+  store("ship/rudder/slipstream", rudder.slipstream);
+  store("ship/rudder/flow_straightening", rudder.flowStraightening);
+}
+template <class Store, class Ship>
+void transferDrag(Store&& store, Ship& ship) {
+  store("ship/resistance/cross_flow_drag", ship.drag.crossFlow);
+  store("ship/resistance/form_factor", ship.drag.formFactor);
+}
+
+/// A ship without an engine has the numbers of one that is not there.
+template <class Store>
+void writeDrive(Store&& store, const ShipParticulars& ship) {
+  const EngineParticulars engine = ship.engine.value_or(EngineParticulars{});
+  const RudderParticulars rudder = ship.rudder.value_or(RudderParticulars{});
+  transferDrag(store, ship);
+  store("ship/engine/present", ship.engine.has_value());
+  transferEngine(store, engine);
+  store("ship/rudder/present", ship.rudder.has_value());
+  transferRudder(store, rudder);
+}
+
+void readDrive(GroupReader& store, ShipParticulars& ship) {
+  bool engine = false, rudder = false;
+  transferDrag(store, ship);
+  store("ship/engine/present", engine);
+  if (engine) transferEngine(store, ship.engine.emplace());
+  store("ship/rudder/present", rudder);
+  if (rudder) transferRudder(store, ship.rudder.emplace());
+}
+
 SpeedStability readStability(GroupReader& store) {
   SpeedStability s;
   const auto speed = [](double stored) {
@@ -325,6 +391,10 @@ class FiniteCheck {
     throw HydroError(Fault::ValueOutOfRange, fmt::format("{}: {}{} is {}", where_, name,
                                                          placeIn(shapeOf(value), at), *bad));
   }
+  template <class T>
+  void operator()(const std::string& name, const std::optional<T>& value) const {
+    if (value) (*this)(name, *value);
+  }
   void operator()(const std::string&, const bool&) const {}
   void operator()(const std::string&, const PanelShape&) const {}
   void operator()(const std::string&, const std::string&) const {}
@@ -358,6 +428,7 @@ void writeCutwaterGroup(hdf5::Writer& writer, const Coefficients& coefficients) 
   transferStatus(store, coefficients);
   writeStability(store, coefficients.stability);
   transferFile(store, coefficients);
+  writeDrive(store, coefficients.ship);
 }
 
 Coefficients readCutwaterGroup(const hdf5::Reader& reader, std::int64_t version) {
@@ -371,6 +442,7 @@ Coefficients readCutwaterGroup(const hdf5::Reader& reader, std::int64_t version)
   }
   if (version >= 4) coefficients.stability = readStability(store);
   if (version >= 6) transferFile(store, coefficients);
+  if (version >= 7) readDrive(store, coefficients.ship);
   return coefficients;
 }
 
@@ -378,6 +450,7 @@ void checkFinite(const Coefficients& coefficients, const std::string& where) {
   const FiniteCheck check(where, coefficients.omega);
   transfer(check, coefficients);
   transferFile(check, coefficients);
+  writeDrive(check, coefficients.ship);
 }
 
 }  // namespace cutwater

@@ -10,8 +10,8 @@ namespace cutwater {
 /// (tests/database/cutwater_group_test.cpp). 2: version 0.1.0 of Cutwater. 3: status and
 /// unfinished_because. 4: stability; without x-derivatives unless the report's form needs them. 5:
 /// curved_panels is a PanelShape, no longer 0 or 1; 0 and 1 mean what they meant. 6: axes, unit and
-/// origin of the hull's file.
-inline constexpr std::int64_t kFormatVersion = 6, kOldestFormatVersion = 2;
+/// origin of the hull's file. 7: drag of the hull, engine and rudder.
+inline constexpr std::int64_t kFormatVersion = 7, kOldestFormatVersion = 2;
 
 void writeCutwaterGroup(hdf5::Writer& writer, const Coefficients& coefficients);
 /// Version 2 has no status: coefficients without a consistent A(∞) are then unfinished.

@@ -39,7 +39,7 @@ std::uint64_t keyOf(const Coefficients& c, ForwardSpeedForm form) {
   };
   const ShipParticulars& ship = c.ship;
   add({static_cast<double>(form), ship.mass, ship.volume, ship.density, ship.gravity,
-       ship.supplementary.rollDampingQuadratic});
+       ship.supplementary.rollDampingQuadratic, ship.drag.crossFlow, ship.drag.formFactor});
   for (const Vec3& v : {ship.cog, ship.gyradii, ship.centreOfBuoyancy}) matrix(v);
   for (const Vec6& v : {ship.supplementary.damping, ship.supplementary.stiffness}) matrix(v);
   for (const double omega : c.omega) add({omega});

@@ -35,6 +35,9 @@ inline Coefficients sampleShip() {
   c.ship.supplementary.damping(Roll) = 2e7;
   c.ship.supplementary.stiffness(Yaw) = 2e9;
   c.ship.supplementary.rollDampingQuadratic = 3e5;
+  c.ship.drag = {0.8, 0.13};
+  c.ship.engine = {4.1e5, 0.6, {}, 3.5, 3.1, Vec3(-55.0, 0.0, -2.5)};
+  c.ship.rudder = {14.0, {}, 1.7, 0.6, 0.05, 0.5, 0.3, 0.6};
   c.provenance = {"Cutwater", "0.1.0", "0123456789abcdef", "[solve]\nlid = true\n"};
   c.headings = {0.0, kPi / 4.0, kPi, -kPi / 2.0};
   c.waveOmega = {0.3, 0.5};

@@ -36,7 +36,33 @@ bool sameBits(const std::vector<std::vector<T>>& a, const std::vector<std::vecto
   return true;
 }
 
+void expectSame(const EngineParticulars& a, const EngineParticulars& b) {
+  EXPECT_EQ(a.maxThrust, b.maxThrust);
+  EXPECT_EQ(a.astern, b.astern);
+  EXPECT_EQ(a.noThrustSpeed, b.noThrustSpeed);
+  EXPECT_EQ(a.timeConstant, b.timeConstant);
+  EXPECT_EQ(a.diameter, b.diameter);
+  EXPECT_EQ(a.place, b.place);
+}
+
+void expectSame(const RudderParticulars& a, const RudderParticulars& b) {
+  EXPECT_EQ(a.area, b.area);
+  EXPECT_EQ(a.place, b.place);
+  EXPECT_EQ(a.aspectRatio, b.aspectRatio);
+  EXPECT_EQ(a.limit, b.limit);
+  EXPECT_EQ(a.rate, b.rate);
+  EXPECT_EQ(a.stall, b.stall);
+  EXPECT_EQ(a.slipstream, b.slipstream);
+  EXPECT_EQ(a.flowStraightening, b.flowStraightening);
+}
+
 void expectSame(const Coefficients& a, const Coefficients& b) {
+  EXPECT_EQ(a.ship.drag.crossFlow, b.ship.drag.crossFlow);
+  EXPECT_EQ(a.ship.drag.formFactor, b.ship.drag.formFactor);
+  ASSERT_EQ(a.ship.engine.has_value(), b.ship.engine.has_value());
+  ASSERT_EQ(a.ship.rudder.has_value(), b.ship.rudder.has_value());
+  if (a.ship.engine) expectSame(*a.ship.engine, *b.ship.engine);
+  if (a.ship.rudder) expectSame(*a.ship.rudder, *b.ship.rudder);
   EXPECT_EQ(a.ship.name, b.ship.name);
   EXPECT_TRUE(sameBits(a.ship.hull.vertices, b.ship.hull.vertices));
   EXPECT_TRUE(sameBits(a.ship.hull.faces, b.ship.hull.faces));

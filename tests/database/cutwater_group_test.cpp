@@ -3,6 +3,7 @@
 
 #include "hydro/database/CutwaterGroup.h"
 #include "tests/database/FileTest.h"
+#include "tests/support/Refusal.h"
 
 namespace cutwater::test {
 namespace {
@@ -24,12 +25,12 @@ std::set<std::string> datasets(const std::string& path, const char* group) {
 
 using CutwaterGroup = FileTest;
 
-// Format version 6, dataset by dataset. Whoever changes this list raises kFormatVersion, keeps a
+// Format version 7, dataset by dataset. Whoever changes this list raises kFormatVersion, keeps a
 // file of the version before in this folder and reads it (old_format_test.cpp) or refuses it.
 TEST_F(CutwaterGroup, IsThisListOfDatasets) {
-  ASSERT_EQ(kFormatVersion, 6);
+  ASSERT_EQ(kFormatVersion, 7);
   writeCoefficients(sampleShip(), path());
-  const std::set<std::string> version6{"added_mass",
+  const std::set<std::string> version7{"added_mass",
                                        "added_mass_inf",
                                        "added_mass_inf_direct",
                                        "added_mass_x",
@@ -67,6 +68,13 @@ TEST_F(CutwaterGroup, IsThisListOfDatasets) {
                                        "ship/centre_of_buoyancy",
                                        "ship/cog",
                                        "ship/density",
+                                       "ship/engine/astern",
+                                       "ship/engine/diameter",
+                                       "ship/engine/max_thrust",
+                                       "ship/engine/no_thrust_speed",
+                                       "ship/engine/place",
+                                       "ship/engine/present",
+                                       "ship/engine/time_constant",
                                        "ship/file/metres_per_unit",
                                        "ship/file/origin",
                                        "ship/file/rotation",
@@ -76,7 +84,18 @@ TEST_F(CutwaterGroup, IsThisListOfDatasets) {
                                        "ship/hull/vertices",
                                        "ship/mass",
                                        "ship/name",
+                                       "ship/resistance/cross_flow_drag",
+                                       "ship/resistance/form_factor",
                                        "ship/restoring",
+                                       "ship/rudder/area",
+                                       "ship/rudder/aspect_ratio",
+                                       "ship/rudder/flow_straightening",
+                                       "ship/rudder/limit",
+                                       "ship/rudder/place",
+                                       "ship/rudder/present",
+                                       "ship/rudder/rate",
+                                       "ship/rudder/slipstream",
+                                       "ship/rudder/stall",
                                        "ship/supplementary/damping",
                                        "ship/supplementary/roll_damping_quadratic",
                                        "ship/supplementary/stiffness",
@@ -91,7 +110,19 @@ TEST_F(CutwaterGroup, IsThisListOfDatasets) {
                                        "status",
                                        "unfinished_because",
                                        "wave_omega"};
-  EXPECT_EQ(datasets(path(), "cutwater"), version6);
+  EXPECT_EQ(datasets(path(), "cutwater"), version7);
+}
+
+// "auto" is absent in the file, too, and so is an engine that a ship was not given.
+TEST_F(CutwaterGroup, WhatAShipWasNotGivenIsNotThereWhenRead) {
+  Coefficients c = sampleShip();
+  c.ship.engine.reset();
+  c.ship.rudder = RudderParticulars{};
+  writeCoefficients(c, path());
+  const ShipParticulars back = readCoefficients(path()).ship;
+  EXPECT_FALSE(back.engine);
+  ASSERT_TRUE(back.rudder);
+  EXPECT_FALSE(back.rudder->area);
 }
 
 TEST(CheckCoefficients, NamesWhatIsNotFinite) {
@@ -132,6 +163,37 @@ TEST(CheckCoefficients, RefusesAPlacementThatNoFileHas) {
       EXPECT_EQ(error.fault(), Fault::ValueOutOfRange);
       EXPECT_NE(std::string(error.what()).find(c.says), std::string::npos) << error.what();
     }
+  }
+}
+
+// What ship.toml refuses, a database refuses: one rule.
+TEST(CheckCoefficients, RefusesAnEngineOrARudderThatNoShipHas) {
+  struct Case {
+    std::function<void(ShipParticulars&)> spoil;
+    const char* says;
+  };
+  const Case cases[] = {
+      {[](auto& s) { s.drag.crossFlow = -0.1; }, "here: [resistance] cross_flow_drag = -0.1: must"},
+      {[](auto& s) { s.drag.formFactor = 101.0; }, "form_factor = 101: must be in 0..100"},
+      {[](auto& s) { s.engine->maxThrust = -1.0; }, "[engine] max_thrust = -1"},
+      {[](auto& s) { s.engine->astern = 1.1; }, "[engine] astern = 1.1: must be in 0..1"},
+      {[](auto& s) { s.engine->noThrustSpeed = 0.0; }, "no_thrust_speed = 0"},
+      {[](auto& s) { s.engine->timeConstant = -2.0; }, "time_constant = -2"},
+      {[](auto& s) { s.engine->diameter = 0.0; }, "diameter = 0"},
+      {[](auto& s) { s.engine->place = Vec3(0.0, -1e7, 0.0); }, "[engine] place = 1e+07"},
+      {[](auto& s) { s.rudder->area = 0.0; }, "[rudder] area = 0"},
+      {[](auto& s) { s.rudder->limit = 35.0; }, "limit_deg = 2005"},
+      {[](auto& s) { s.rudder->rate = 0.0; }, "rate_deg = 0"},
+      {[](auto& s) { s.rudder->stall = 0.0; }, "stall_deg = 0"},
+      {[](auto& s) { s.rudder->slipstream = 1.5; }, "slipstream = 1.5"},
+      {[](auto& s) { s.rudder->flowStraightening = 0.0; }, "flow_straightening = 0"},
+      {[](auto& s) { s.rudder->aspectRatio = std::nan(""); }, "ship/rudder/aspect_ratio is nan"},
+      {[](auto& s) { s.engine->diameter = HUGE_VAL; }, "ship/engine/diameter is inf"}};
+  for (const Case& c : cases) {
+    Coefficients ship = sampleShip();
+    c.spoil(ship.ship);
+    test::expectRefusal(Fault::ValueOutOfRange, {"here: ", c.says},
+                        [&] { checkCoefficients(ship, "here"); });
   }
 }
 

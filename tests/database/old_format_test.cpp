@@ -63,6 +63,23 @@ TEST_F(OldFormat, WithoutThePlacementOfItsFileItIsInHullAxes) {
   EXPECT_TRUE(readCoefficients(kOldFile).ship.file.rotation.isIdentity(0.0));
 }
 
+// Version 6 knew no drag, engine or rudder: the drag of every ship, and neither of the others.
+TEST_F(OldFormat, WithoutAnEngineItHasNone) {
+  writeCoefficients(sampleShip(), path());
+  {
+    Edit edit(path());
+    for (const char* name : {"resistance", "engine", "rudder"})
+      edit.remove((std::string("cutwater/ship/") + name).c_str());
+    edit.version(6);
+    edit.renewChecksum();
+  }
+  const ShipParticulars ship = readCoefficients(path()).ship;
+  EXPECT_EQ(ship.drag.crossFlow, HullDrag{}.crossFlow);
+  EXPECT_EQ(ship.drag.formFactor, HullDrag{}.formFactor);
+  EXPECT_FALSE(ship.engine);
+  EXPECT_FALSE(ship.rudder);
+}
+
 // Version 2 did not say whether it was finished; without a consistent A(inf) it was not.
 TEST_F(OldFormat, WithoutAConsistentLimitItIsUnfinished) {
   Coefficients c = sampleShip();

@@ -296,6 +296,14 @@ void requireSameLoading(const RunFile& run, const ShipParticulars& given,
   }
 }
 
+// What potential flow lacks: a ship file's own, without solving again.
+void takeAdded(const ShipParticulars& given, ShipParticulars& ship) {
+  ship.supplementary = given.supplementary;
+  ship.drag = given.drag;
+  ship.engine = given.engine;
+  ship.rudder = given.rudder;
+}
+
 }  // namespace
 
 Coefficients readShipOfRun(RunFile& run) {
@@ -315,7 +323,7 @@ Coefficients readShipOfRun(RunFile& run) {
   } else if (given) {
     requireSameLoading(run, *given, coefficients.ship);
   }
-  if (given) coefficients.ship.supplementary = given->supplementary;
+  if (given) takeAdded(*given, coefficients.ship);
   return coefficients;
 }
 

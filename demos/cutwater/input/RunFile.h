@@ -48,10 +48,11 @@ struct RunFile {
 /// @throws HydroError naming file, field and value.
 RunFile readRunFile(const std::string& path, Mean usual);
 
-/// The run's database; if the run names a ship file, its supplementary terms replace the database's
-/// and its mass, centre of gravity and gyradii must be the database's own. A database of another
-/// code is completed by that file's hull and gyradii, or by [body]. Warns of waves that the panels
-/// do not resolve; a spectrum that would end above the database by itself is cut there.
+/// The run's database. If the run names a ship file, its supplementary terms, drag, engine and
+/// rudder replace the database's, and its mass, centre of gravity and gyradii must be the
+/// database's own. A database of another code is completed by that file's hull and gyradii, or by
+/// [body]. Warns of waves that the panels do not resolve; a spectrum that would end above the
+/// database by itself is cut there.
 /// @throws HydroError.
 Coefficients readShipOfRun(RunFile& run);
 

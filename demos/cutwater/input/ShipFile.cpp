@@ -50,6 +50,17 @@ void readSupplementary(TomlSection section, Supplementary& terms) {
   section.finish();
 }
 
+constexpr double kAny = 1e18;  // requireUsable() has the bounds
+
+HullDrag readResistance(TomlSection section, const std::string& path) {
+  HullDrag drag;
+  drag.crossFlow = section.number("cross_flow_drag", drag.crossFlow, -kAny, kAny);
+  drag.formFactor = section.number("form_factor", drag.formFactor, -kAny, kAny);
+  section.finish();
+  requireUsable(drag, path);
+  return drag;
+}
+
 // Frequencies as given, increasing and above 0.
 std::vector<double> frequencies(TomlSection& section, const std::string& key,
                                 const std::vector<double>& fallback) {
@@ -210,6 +221,7 @@ ShipFile readShipFile(const std::string& path) {
   Afloat floating = afloat(hull, loading, water);
   ship.particulars = std::move(floating.ship);
   ship.hydrostatics = floating.hydrostatics;
+  ship.particulars.drag = readResistance(file.section("resistance"), path);
   ship.particulars.name = std::filesystem::absolute(path).parent_path().filename().string();
   readSolve(file.section("solve"), ship.particulars, ship.solve);
   file.root().finish();
