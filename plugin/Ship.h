@@ -95,7 +95,8 @@ Vec3 motionAngles(const Mat3& rotation) noexcept;
 ///     added_mass      −d(A∞ v)/dt, as Bullet's solver applied it
 ///     supplementary   damping and stiffness given with the ship
 ///     autopilots      SpeedKeeper and CourseKeeper
-///     hull_lift       Mean::Filtered only
+///     hull_lift       Mean::Free only
+///     resistance      of the hull in calm water, Mean::Free only
 /// and then those of addForce(). gravity + restoring = −C η.
 ///
 /// First-order forces act in H; moments, and A∞, in upright axes with the ship's own heading (R_z
@@ -112,8 +113,8 @@ Vec3 motionAngles(const Mat3& rotation) noexcept;
 /// ship reads the world's gravity each tick. Bullet's gyroscopic term is off, too: the ship applies
 /// its own, as Bullet's vanishes for small inertias in single precision.
 ///
-/// Not in this theory: calm-water resistance, mean drift in waves, steady sinkage and trim, waves
-/// from one ship to another.
+/// Not in this theory: the waves that speed makes, mean drift in waves, steady sinkage and trim,
+/// waves from one ship to another.
 class Ship {
  public:
   /// Tilt from upright [rad] beyond which kAttitudeOutsideTheory is raised.
@@ -235,7 +236,7 @@ class Ship {
     btTransform known;  // pose after the last tick
     TickRecord record;
     std::array<double, MeanCourse::kStateSize> course, line;
-    std::vector<double> predicted;  // of a free ship
+    std::vector<double> predicted;       // of a free ship
     std::uint64_t hydrodynamicsKey = 0;  // Hydrodynamics::key
     std::uint64_t partsKey = 0;          // of the names of the parts
     std::vector<std::size_t> sizes;      // numbers of each part's state

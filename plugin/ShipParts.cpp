@@ -15,6 +15,7 @@
 #include "hydro/forces/linear/Restoring.h"
 #include "hydro/forces/linear/SupplementaryForce.h"
 #include "hydro/forces/linear/WaveForce.h"
+#include "hydro/forces/manoeuvring/Resistance.h"
 #include "plugin/Rig.h"
 #include "plugin/SettingsCheck.h"
 #include "plugin/Ship.h"
@@ -65,6 +66,7 @@ void Ship::makeParts(const ShipSettings& settings) {
   autopilots_ = autopilots.get();
   added(std::move(autopilots));
   if (free() && settings.model.hullLift) added(std::make_unique<HullLift>(predicted_));
+  if (free() && settings.model.resistance) added(std::make_unique<Resistance>(c.ship));
   if (settings.model.keepSpeed) keepSpeed(*settings.model.keepSpeed);
   if (settings.model.keepCourse) keepCourse(*settings.model.keepCourse);
 }

@@ -145,6 +145,7 @@ void readMotion(TomlSection motion, RunFile& run) {
   ShipModel& model = run.model;
   readMean(motion, model);
   model.hullLift = motion.boolean("hull_lift", model.hullLift);
+  model.resistance = motion.boolean("resistance", model.resistance);
   const bool keepSpeed = motion.boolean("keep_speed", false);
   const bool keepCourse = motion.boolean("keep_course", false);
   const bool convolution =
