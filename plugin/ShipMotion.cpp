@@ -108,6 +108,8 @@ void Ship::findSlowMotion() noexcept {
                 {along.x() - rate.x() + turn * swing.y(), along.y() - rate.y() - turn * swing.x(),
                  turn});
   }
+  const Vec3 along = toCourse() * velocity;
+  predicted_->compare({along.x(), along.y(), headingRate}, input_.step, input_.courseBegins);
 }
 
 void Ship::findInput(double time, double step) noexcept {

@@ -16,6 +16,9 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSameHeading = 5e-4, kSameSpeed = 5e-3;  // [rad], [m/s]: not worth renewing
 constexpr double kOldHeading = kPi / 180.0, kOldSpeed = 0.1;  // the oldest that is used
 constexpr std::size_t kFewest = 2, kMost = 32;                // renewed a tick
+constexpr double kPatience = 12.0;    // of √(L/g): some waves
+constexpr double kNegligible = 1e-4;  // of g
+constexpr double kHeld = 0.4, kFree = 0.7;
 constexpr double kNoShare = 1e-9;  // of w: met too slowly to be told from a steady motion
 
 // Channels of a block.
@@ -52,7 +55,12 @@ PredictedMotion::PredictedMotion(std::shared_ptr<const SeaTables> tables, const 
       response_(tables_->hydrodynamics()->freeResponse()),
       parts_(parts),
       blocks_(tables_->sea().phasorBlocks()),
-      madeFor_(tables_->sea().components().size(), Way{kNan, {}}) {}
+      madeFor_(tables_->sea().components().size(), Way{kNan, {}}) {
+  const double g = tables_->sea().gravity(), L = tables_->hydrodynamics()->length();
+  const double linear = kNegligible * g, angular = kNegligible * g / L;
+  negligible_ << linear * linear, linear * linear, angular * angular;
+  patience_ = kPatience * std::sqrt(L / g);
+}
 
 PredictedMotion::~PredictedMotion() = default;
 
@@ -80,21 +88,44 @@ CUTWATER_VECTOR void PredictedMotion::sumOf(std::span<const Block> blocks,
 Vec3 PredictedMotion::displacement(std::span<const Phasors4> phasors) const noexcept {
   Vec3 sums;
   sumOf(blocks_, phasors, 3, sums.data());
-  return sums;
+  return freedom_.cwiseProduct(sums);
 }
 
 void PredictedMotion::sum(std::span<const Phasors4> phasors, double ramp) noexcept {
   Eigen::Matrix<double, kChannels, 1> sums;
   sumOf(blocks_, phasors, kChannels, sums.data());
   sums *= ramp;
-  now_.displacement = sums.segment<3>(Displacement);
-  now_.velocity = sums.segment<3>(Velocity);
-  now_.momentumAhead = sums[MomentumAhead];
-  now_.momentumAcross = sums[MomentumAhead + 1];
+  predicted_ = sums.segment<3>(Velocity);
+  now_.displacement = freedom_.cwiseProduct(sums.segment<3>(Displacement));
+  now_.velocity = freedom_.cwiseProduct(predicted_);
+  now_.momentumAhead = freedom_[0] * sums[MomentumAhead];
+  now_.momentumAcross = freedom_[1] * sums[MomentumAhead + 1];
   now_.orbitalAcross = sums[OrbitalAcross];
   now_.orbitalTurn = sums[OrbitalAcross + 1];
   now_.froudeKrylov = sums.segment<6>(FroudeKrylov);
   now_.diffraction = sums.segment<6>(Diffraction);
+}
+
+void PredictedMotion::compare(const Vec3& velocity, double step, bool begins) noexcept {
+  const double share = std::min(1.0, step / patience_);
+  for (int i = 0; i < 3 && !begins; ++i) {
+    const double actual = (velocity[i] - actualBefore_[i]) / step;
+    const double predicted = (predicted_[i] - predictedBefore_[i]) / step;
+    const double square = predicted * predicted;
+    const double product = std::clamp(actual * predicted, -2.0 * square, 2.0 * square);  // blows
+    if (!std::isfinite(product)) continue;
+    product_[i] += share * (product - product_[i]);
+    square_[i] += share * (square - square_[i]);
+  }
+  actualBefore_ = velocity;
+  predictedBefore_ = predicted_;
+  findFreedom();
+}
+
+void PredictedMotion::findFreedom() noexcept {
+  const Vec3 ratio =
+      (product_ + negligible_).cwiseQuotient(square_ + negligible_).array() - kHeld;
+  freedom_ = (ratio / (kFree - kHeld)).cwiseMax(0.0).cwiseMin(1.0);
 }
 
 void PredictedMotion::set(std::size_t component, std::size_t channel, Complex value) noexcept {
@@ -146,6 +177,9 @@ void PredictedMotion::renew(std::size_t component, const Way& way) noexcept {
 void PredictedMotion::renewAll(const Way& way) noexcept {
   next_ = 0;
   speedBefore_ = way.through.ahead;
+  product_.setZero();
+  square_.setZero();
+  freedom_.setOnes();
   if (!finite(way)) return;
   for (std::size_t i = 0; i < madeFor_.size(); ++i) {
     if (!same(madeFor_[i], way)) renew(i, way);
@@ -178,22 +212,33 @@ void PredictedMotion::follow(const Way& way, double turnRate, double step) noexc
 void PredictedMotion::save(std::span<double> state) const noexcept {
   state[0] = static_cast<double>(next_);
   state[1] = speedBefore_;
-  for (std::size_t i = 0; i < madeFor_.size(); ++i) {
-    state[2 + 3 * i] = madeFor_[i].heading;
-    state[3 + 3 * i] = madeFor_[i].through.ahead;
-    state[4 + 3 * i] = madeFor_[i].through.leeway;
+  auto at = state.begin() + 2;
+  for (const Vec3* own : {&actualBefore_, &predictedBefore_, &product_, &square_})
+    at = std::copy(own->begin(), own->end(), at);
+  for (const Way& way : madeFor_) {
+    *at++ = way.heading;
+    *at++ = way.through.ahead;
+    *at++ = way.through.leeway;
   }
 }
 
-// Before its first tick a ship's amplitudes belong to no way.
 bool PredictedMotion::fits(std::span<const double> state) const noexcept {
   const auto count = static_cast<double>(std::max<std::size_t>(1, madeFor_.size()));
   return state.size() == stateSize() && state[0] >= 0.0 && state[0] < count;
 }
 
+// Before its first tick a ship's amplitudes belong to no way.
 void PredictedMotion::restore(std::span<const double> state) noexcept {
-  for (std::size_t i = 0; i < madeFor_.size(); ++i) {
-    const Way way{state[2 + 3 * i], {state[3 + 3 * i], state[4 + 3 * i]}};
+  next_ = static_cast<std::size_t>(state[0]);
+  speedBefore_ = state[1];
+  auto at = state.begin() + 2;
+  for (Vec3* own : {&actualBefore_, &predictedBefore_, &product_, &square_}) {
+    std::copy_n(at, 3, own->begin());
+    at += 3;
+  }
+  findFreedom();
+  for (std::size_t i = 0; i < madeFor_.size(); ++i, at += 3) {
+    const Way way{at[0], {at[1], at[2]}};
     if (same(madeFor_[i], way)) continue;
     if (finite(way)) {
       renew(i, way);
@@ -201,8 +246,6 @@ void PredictedMotion::restore(std::span<const double> state) noexcept {
       madeFor_[i] = way;
     }
   }
-  next_ = static_cast<std::size_t>(state[0]);
-  speedBefore_ = state[1];
 }
 
 }  // namespace cutwater

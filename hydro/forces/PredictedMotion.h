@@ -15,7 +15,12 @@ namespace cutwater {
 ///     x_s = x − R_s Re Σ_i w_i a_i ξ̂_i e^{i(ω_i t − k_i·x_s + ε_i)}
 /// Amplitudes belong to a slow heading, speed and leeway. Each component's are renewed as these
 /// drift, some components a tick, so that none is older than a turn of one degree or a change of
-/// speed of 0.1 m/s; meanwhile the answer is that of half that way ahead. One ship's; one thread.
+/// speed of 0.1 m/s; meanwhile the answer is that of half that way ahead.
+///
+/// A ship that is held, by a berth, the ground or a clamp, does not move so. Of surge, sway and yaw
+/// each the mean product of actual and predicted acceleration, over the mean square of the
+/// predicted one, says how far the ship is free to follow: above 0.7 the prediction counts whole,
+/// below 0.4 not at all. One ship's; one thread.
 class PredictedMotion {
  public:
   /// Slow heading [rad] and way for which amplitudes are made.
@@ -44,6 +49,11 @@ class PredictedMotion {
   /// Some of them, at a tick of `step` [s].  @param turnRate  [rad/s].
   void follow(const Way& way, double turnRate, double step) noexcept;
 
+  /// Looks how far the ship moves as predicted. Once a tick, after sum().
+  /// @param velocity  of surge and sway [m/s], of yaw [rad/s], actual, in axes of the slow heading.
+  /// @param begins  the ship was set: it did not come to this velocity.
+  void compare(const Vec3& velocity, double step, bool begins) noexcept;
+
   /// x, y, ψ alone of these phasors (SeaState::phasors), at full height of the sea.
   Vec3 displacement(std::span<const Phasors4> phasors) const noexcept;
   /// Makes all sums at these phasors, times the sea's `ramp`.
@@ -52,12 +62,13 @@ class PredictedMotion {
 
   const FreeResponse& response() const noexcept { return response_; }
 
-  std::size_t stateSize() const noexcept { return 2 + 3 * madeFor_.size(); }
+  std::size_t stateSize() const noexcept { return kOwnState + 3 * madeFor_.size(); }
   void save(std::span<double> state) const noexcept;
   bool fits(std::span<const double> state) const noexcept;
   void restore(std::span<const double> state) noexcept;
 
  private:
+  static constexpr std::size_t kOwnState = 2 + 12;
   static constexpr std::size_t kChannels = 22;
   /// Amplitudes of four components.
   struct alignas(32) Block {
@@ -65,6 +76,7 @@ class PredictedMotion {
   };
   static void sumOf(std::span<const Block> blocks, std::span<const Phasors4> phasors,
                     std::size_t channels, double* sums) noexcept;
+  void findFreedom() noexcept;
   void renew(std::size_t component, const Way& way) noexcept;
   void set(std::size_t component, std::size_t channel, Complex value) noexcept;
   void setAnswer(std::size_t component, double omega, const Way& way, const CVec6& force) noexcept;
@@ -78,6 +90,13 @@ class PredictedMotion {
   std::size_t next_ = 0;      // the component to be looked at next
   double speedBefore_ = 0.0;  // of the last tick
   Sums now_;
+  // How free the ship is to follow, of surge, sway and yaw.
+  Vec3 predicted_ = Vec3::Zero();
+  Vec3 actualBefore_ = Vec3::Zero(), predictedBefore_ = Vec3::Zero();  // velocities
+  Vec3 product_ = Vec3::Zero(), square_ = Vec3::Zero();  // of accelerations, means
+  Vec3 freedom_ = Vec3::Ones();
+  Vec3 negligible_;  // square of an acceleration that tells nothing
+  double patience_;  // [s]
 };
 
 }  // namespace cutwater
