@@ -33,6 +33,7 @@ Ship::Ship(btDiscreteDynamicsWorld& world, const WorldFrame& frame,
       restrained_(settings.model.restrained),
       phasors_(tables_->sea().phasorBlocks()) {
   const ShipStart& start = settings.start;
+  requireCourse(settings.model.mean, start.speed);
   if (settings.model.mean == Mean::Free)
     predicted_ = std::make_shared<PredictedMotion>(tables_, ActiveParts{.restrained = restrained_});
   if (ownBody_) {
@@ -61,6 +62,16 @@ Ship::Ship(btDiscreteDynamicsWorld& world, const WorldFrame& frame,
 }
 
 Ship::~Ship() { leaveWorld(); }
+
+// The report's form has the lift of the stern drive a ship sideways that goes astern.
+void Ship::requireCourse(Mean mean, double speed) const {
+  if (mean == Mean::Free || !(speed < 0.0) || hydrodynamics().form() == ForwardSpeedForm::Tuck)
+    return;
+  throw HydroError(Fault::ValueOutOfRange,
+                   "start.speed = " + std::to_string(speed) +
+                       " m/s on a fixed course: the report's form of the speed terms holds ahead "
+                       "only; take Tuck's, or Mean::Free");
+}
 
 void Ship::createBody(const CollisionShape& collision) {
   const ShipParticulars& ship = coefficients().ship;
@@ -101,7 +112,7 @@ void Ship::findLimits() {
     return std::min(held ? kNever : limit.speed.value_or(kNever), hydrodynamics().fastest());
   };
   growsAhead_ = growsAstern_ = hydrodynamics().fastest();
-  if (!free()) {
+  if (!free() || hydrodynamics().form() == ForwardSpeedForm::Tuck) {
     growsAhead_ = grows(hydrodynamics().stability().ahead);
     growsAstern_ = grows(hydrodynamics().stability().astern);
   }

@@ -279,6 +279,7 @@ class Ship {
 
   void createBody(const CollisionShape& collision);
   void adoptBody(btRigidBody& own);
+  void requireCourse(Mean mean, double speed) const;
   void takeOver();
   void makeParts(const ShipSettings& settings);
   void addPart(ShipPart part);

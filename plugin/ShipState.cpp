@@ -179,6 +179,7 @@ void Ship::resetVelocity(const Vec3& linear, const Vec3& angular) noexcept {
 
 void Ship::reset(const ShipStart& start) {
   checkStart(start, "Ship::reset");
+  requireCourse(free() ? Mean::Free : Mean::Fixed, start.speed);
   if (!free()) onCourse_ = tables_->exact(start.heading, start.speed);  // what throws
   place(start);
 }

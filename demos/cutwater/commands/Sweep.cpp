@@ -25,10 +25,19 @@ double encounterOf(const RunFile& run, const Coefficients& coefficients, std::si
                             coefficients.ship.gravity);
 }
 
+constexpr double kLargestRest = 0.5;  // of the harmonic: r.m.s. of what a fit may leave
+
 // What one wave gave.
 struct WaveRun {
   CVec6 amplitude = CVec6::Constant(Complex(std::nan(""), std::nan("")));  // of a run that broke
+  std::string ranAway{};  // modes whose motion is no harmonic
   RunFaults faults{};
+};
+
+// The second half of a run.
+struct Motions {
+  std::vector<double> time;
+  std::array<std::vector<double>, 6> of;
 };
 
 // Of a free ship its place, attitude and heading, of which the fit takes a straight line.
@@ -39,28 +48,59 @@ Vec6 motionOf(const Ship& ship, const RunFile& run) {
   return motion;
 }
 
-// Motions in one regular wave, per metre and relative to the wave's crest at G, fitted over the
-// second half.
+// Phase of the wave where the ship is in the mean: on its course, or on the line that fits a free
+// ship's track.
+std::vector<double> phasesOf(const RunFile& run, std::size_t index, double gravity,
+                             const Motions& motion) {
+  const double omega = run.omega[index], k = omega * omega / gravity;
+  const double omegaE = encounterFrequency(omega, run.start.speed, run.heading, gravity);
+  std::vector<double> phase;
+  for (const double t : motion.time) phase.push_back(omegaE * t);
+  if (run.model.mean == Mean::Fixed) return phase;
+  const HarmonicFit x = harmonicFit(phase, motion.time, motion.of[Surge]);
+  const HarmonicFit y = harmonicFit(phase, motion.time, motion.of[Sway]);
+  for (std::size_t i = 0; i < phase.size(); ++i) {
+    const double t = motion.time[i];
+    phase[i] = omega * t - k * ((x.constant + x.slope * t) * std::cos(run.heading) -
+                                (y.constant + y.slope * t) * std::sin(run.heading));
+  }
+  return phase;
+}
+
+// Amplitudes per metre and relative to the wave's crest at G. What is mostly no harmonic is no
+// answer to the wave: a mode that nothing holds ran away.
+void fit(const RunFile& run, std::size_t index, double gravity, const Motions& motion,
+         WaveRun& result) {
+  const std::vector<double> phase = phasesOf(run, index, gravity, motion);
+  const double k = run.omega[index] * run.omega[index] / gravity;
+  for (std::size_t j = 0; j < 6; ++j) {
+    const HarmonicFit found = harmonicFit(phase, motion.time, motion.of[j]);
+    const double usual = run.amplitude * (j < 3 ? 1.0 : k);
+    const double size = std::max(std::abs(found.amplitude), usual) / std::sqrt(2.0);
+    if (found.rest > kLargestRest * size) {
+      result.ranAway += std::string(result.ranAway.empty() ? "" : ", ") + kModeNames[j];
+    } else {
+      result.amplitude[static_cast<int>(j)] =
+          found.amplitude / std::polar(run.amplitude, run.phase);
+    }
+  }
+}
+
+// Motions in one regular wave, fitted over the second half.
 WaveRun motionInBullet(const RunFile& run, const std::shared_ptr<const Hydrodynamics>& ship,
                        std::size_t index) {
-  const double omegaE = encounterOf(run, ship->coefficients(), index);
   RunShip world(run, ship, index);
-  std::vector<double> time;
-  std::array<std::vector<double>, 6> motion;
+  Motions motion;
   while (world.seaway().time() < run.duration && !world.broken()) {
     world.step();
     if (world.seaway().time() < 0.5 * run.duration) continue;
-    time.push_back(world.seaway().time());
-    const Vec6 eta = motionOf(world.ship(), run);
-    for (std::size_t j = 0; j < 6; ++j) motion[j].push_back(eta[static_cast<int>(j)]);
+    motion.time.push_back(world.seaway().time());
+    const Vec6 now = motionOf(world.ship(), run);
+    for (std::size_t j = 0; j < 6; ++j) motion.of[j].push_back(now[static_cast<int>(j)]);
   }
   WaveRun result{.faults = world.faults()};
   result.faults.of = "omega = " + csvNumber(run.omega[index]);
-  if (world.broken()) return result;
-  const Complex unit = std::polar(run.amplitude, run.phase);
-  for (std::size_t j = 0; j < 6; ++j) {
-    result.amplitude[static_cast<int>(j)] = harmonicFit(omegaE, time, motion[j]) / unit;
-  }
+  if (!world.broken()) fit(run, index, ship->ship().gravity, motion, result);
   return result;
 }
 
@@ -125,6 +165,24 @@ void tellFaults(const std::string& path, const std::vector<WaveRun>& waves) {
   throw HydroError(Fault::ValueOutOfRange, path + broken + "; written as nan, the others are good");
 }
 
+// Warns of motions that were no answer to the wave; ends the command if none was.
+void tellRunaways(const RunFile& run, const std::vector<WaveRun>& waves) {
+  bool any = false;
+  bool ran = false;
+  for (std::size_t i = 0; i < waves.size(); ++i) {
+    ran = ran || !waves[i].ranAway.empty();
+    for (const Complex& answer : waves[i].amplitude) any = any || std::isfinite(answer.real());
+    if (waves[i].ranAway.empty()) continue;
+    warn(fmt::format("{}: [waves] omega = {}: {}: the motion is no harmonic, as of a mode that "
+                     "nothing holds: written as nan",
+                     run.path, csvNumber(run.omega[i]), waves[i].ranAway));
+  }
+  if (ran && !any)
+    throw HydroError(Fault::ValueOutOfRange,
+                     run.path + ": [motion]: in no wave a motion was harmonic; hold the modes that "
+                                "run away (restrain, stiffness, keep_course)");
+}
+
 }  // namespace
 
 void sweep(const std::string& path, int threads, const std::string& out) {
@@ -156,6 +214,7 @@ void sweep(const std::string& path, int threads, const std::string& out) {
     }
   }
   csv.write(out);
+  tellRunaways(run, waves);
   tellFaults(path, waves);
 }
 
