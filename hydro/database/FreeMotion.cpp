@@ -12,7 +12,10 @@ CMat6 ownVelocities(Complex s, const SteadyWay& way) {
 
 CMat6 waterLoad(Complex s, const SteadyWay& way, const CMat6& water, const Mat6& atRest) {
   const double U = way.ahead, V = way.leeway;
-  const CMat6 nu = ownVelocities(s, way), p = water * nu;
+  const CMat6 nu = ownVelocities(s, way);
+  CMat6 p = s * water;  // water · ν, of which few elements are not on the diagonal
+  p.col(Pitch) += U * water.col(Heave);
+  p.col(Yaw) += V * water.col(Surge) - U * water.col(Sway);
   const Vec6 steady = atRest.col(Surge) * U + atRest.col(Sway) * V;
   CMat6 load = s * p;
   // Heading and pitch turn the steady momentum.

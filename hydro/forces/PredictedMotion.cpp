@@ -13,8 +13,8 @@ namespace cutwater {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kSameHeading = 5e-4, kSameSpeed = 5e-3;  // [rad], [m/s]: not worth renewing
-constexpr double kOldHeading = kPi / 180.0, kOldSpeed = 0.1;  // the oldest that is used
+constexpr double kSameHeading = 1e-3, kSameSpeed = 0.02;  // [rad], [m/s]: not worth renewing
+constexpr double kOldHeading = kPi / 180.0;               // the oldest that is used
 constexpr std::size_t kFewest = 2, kMost = 32;                // renewed a tick
 constexpr double kPatience = 12.0;    // of √(L/g): some waves
 constexpr double kNegligible = 1e-4;  // of g
@@ -176,7 +176,6 @@ void PredictedMotion::renew(std::size_t component, const Way& way) noexcept {
 
 void PredictedMotion::renewAll(const Way& way) noexcept {
   next_ = 0;
-  speedBefore_ = way.through.ahead;
   product_.setZero();
   square_.setZero();
   freedom_.setOnes();
@@ -187,12 +186,9 @@ void PredictedMotion::renewAll(const Way& way) noexcept {
 }
 
 void PredictedMotion::follow(const Way& way, double turnRate, double step) noexcept {
-  const double quickening = std::abs(way.through.ahead - speedBefore_) / step;
-  speedBefore_ = way.through.ahead;
   if (!finite(way) || !std::isfinite(turnRate) || madeFor_.empty()) return;
   const auto count = static_cast<double>(madeFor_.size());
-  const double aTick = count * step *
-                        std::max(std::abs(turnRate) / kOldHeading, quickening / kOldSpeed);
+  const double aTick = count * step * std::abs(turnRate) / kOldHeading;
   const auto most = static_cast<std::size_t>(
       std::clamp(std::ceil(aTick), static_cast<double>(kFewest), static_cast<double>(kMost)));
   // Half of the turn until its next turn to be renewed.
@@ -211,8 +207,7 @@ void PredictedMotion::follow(const Way& way, double turnRate, double step) noexc
 
 void PredictedMotion::save(std::span<double> state) const noexcept {
   state[0] = static_cast<double>(next_);
-  state[1] = speedBefore_;
-  auto at = state.begin() + 2;
+  auto at = state.begin() + 1;
   for (const Vec3* own : {&actualBefore_, &predictedBefore_, &product_, &square_})
     at = std::copy(own->begin(), own->end(), at);
   for (const Way& way : madeFor_) {
@@ -230,8 +225,7 @@ bool PredictedMotion::fits(std::span<const double> state) const noexcept {
 // Before its first tick a ship's amplitudes belong to no way.
 void PredictedMotion::restore(std::span<const double> state) noexcept {
   next_ = static_cast<std::size_t>(state[0]);
-  speedBefore_ = state[1];
-  auto at = state.begin() + 2;
+  auto at = state.begin() + 1;
   for (Vec3* own : {&actualBefore_, &predictedBefore_, &product_, &square_}) {
     std::copy_n(at, 3, own->begin());
     at += 3;

@@ -14,8 +14,8 @@ namespace cutwater {
 /// (THEORY.md, chapter 12):
 ///     x_s = x − R_s Re Σ_i w_i a_i ξ̂_i e^{i(ω_i t − k_i·x_s + ε_i)}
 /// Amplitudes belong to a slow heading, speed and leeway. Each component's are renewed as these
-/// drift, some components a tick, so that none is older than a turn of one degree or a change of
-/// speed of 0.1 m/s; meanwhile the answer is that of half that way ahead.
+/// drift, some components a tick, so that none is older than a turn of one degree, or than half a
+/// second for each 60 components; in a turn they are made for the heading of half that time ahead.
 ///
 /// A ship that is held, by a berth, the ground or a clamp, does not move so. Of surge, sway and yaw
 /// each the mean product of actual and predicted acceleration, over the mean square of the
@@ -68,7 +68,7 @@ class PredictedMotion {
   void restore(std::span<const double> state) noexcept;
 
  private:
-  static constexpr std::size_t kOwnState = 2 + 12;
+  static constexpr std::size_t kOwnState = 1 + 12;
   static constexpr std::size_t kChannels = 22;
   /// Amplitudes of four components.
   struct alignas(32) Block {
@@ -88,7 +88,6 @@ class PredictedMotion {
   std::vector<Block> blocks_;
   std::vector<Way> madeFor_;  // of each component
   std::size_t next_ = 0;      // the component to be looked at next
-  double speedBefore_ = 0.0;  // of the last tick
   Sums now_;
   // How free the ship is to follow, of surge, sway and yaw.
   Vec3 predicted_ = Vec3::Zero();

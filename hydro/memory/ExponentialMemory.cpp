@@ -48,28 +48,45 @@ ExponentialMemory::ExponentialMemory(const ExponentialSum& sum, double step)
                      fmt::format("ExponentialMemory: step = {} s, must be > 0", step));
   }
   advance_.assign(4 * width_, 0.0);
-  halfAdvance_ = advance_;
   states_.assign(6 * 2 * width_, 0.0);
-  ahead_ = states_;
   residues_ = sum.runs(0);
-  makeAdvance(step_, advance_);
+  halfRuns_ = sum.momentumRuns();
+  makeAdvance();
 }
 
 bool ExponentialMemory::setStep(double h) noexcept {
   if (h == step_) return true;
   if (!isTick(h)) return false;
   step_ = h;
-  makeAdvance(h, advance_);
+  makeAdvance();
   return true;
 }
 
-void ExponentialMemory::makeAdvance(double step, std::vector<double>& advance) const noexcept {
+void ExponentialMemory::makeAdvance() noexcept {
   for (std::size_t m = 0; m < sum_.size(); ++m) {
-    const Complex s = sum_.poles()[m], e = std::exp(s * step), g = (e - 1.0) / s;
-    advance[m] = e.real();
-    advance[width_ + m] = e.imag();
-    advance[2 * width_ + m] = g.real();
-    advance[3 * width_ + m] = g.imag();
+    const Complex s = sum_.poles()[m], e = std::exp(s * step_), g = (e - 1.0) / s;
+    advance_[m] = e.real();
+    advance_[width_ + m] = e.imag();
+    advance_[2 * width_ + m] = g.real();
+    advance_[3 * width_ + m] = g.imag();
+  }
+}
+
+// After half a tick more of velocity v the states are e^{s h/2} z + (e^{s h/2} − 1)/s v.
+void ExponentialMemory::lookAhead(double half) noexcept {
+  if (half == half_) return;
+  half_ = half;
+  newest_.setZero();
+  std::size_t at = 0;
+  for (const ExponentialSum::Pair& pair : sum_.pairs()) {
+    for (std::size_t m = 0; m < sum_.size(); ++m) {
+      const Complex s = sum_.poles()[m], e = std::exp(s * half), residue = pair.atRest[m] / s;
+      const Complex later = residue * e;
+      halfRuns_[at + m] = later.real();
+      halfRuns_[at + width_ + m] = -later.imag();
+      newest_(pair.j, pair.k) += (residue * (e - 1.0) / s).real();
+    }
+    at += 2 * width_;
   }
 }
 
@@ -86,12 +103,11 @@ void ExponentialMemory::enterAll(const Vec6& etaDot) noexcept {
   }
 }
 
-Vec6 ExponentialMemory::sumOver(const std::vector<double>& runs,
-                                const std::vector<double>& states) const noexcept {
+Vec6 ExponentialMemory::sumOver(const std::vector<double>& runs) const noexcept {
   Vec6 sum = Vec6::Zero();
   const double* residues = runs.data();
   for (const ExponentialSum::Pair& pair : sum_.pairs()) {
-    const double* z = states.data() + static_cast<std::size_t>(2 * pair.k) * width_;
+    const double* z = states_.data() + static_cast<std::size_t>(2 * pair.k) * width_;
     sum[pair.j] += weighted(residues, z, 2 * width_);
     residues += 2 * width_;
   }
@@ -100,16 +116,8 @@ Vec6 ExponentialMemory::sumOver(const std::vector<double>& runs,
 
 Vec6 ExponentialMemory::momentum(const Vec6& velocity, double next) noexcept {
   enterAll(velocity);
-  if (half_ != 0.5 * next) {
-    half_ = 0.5 * next;
-    makeAdvance(half_, halfAdvance_);
-  }
-  std::copy(states_.begin(), states_.end(), ahead_.begin());
-  for (std::size_t k = 0; k < 6; ++k) {
-    double* z = ahead_.data() + 2 * k * width_;
-    enter(z, z + width_, halfAdvance_.data(), velocity[static_cast<int>(k)], width_);
-  }
-  return sumOver(sum_.momentumRuns(), ahead_);
+  lookAhead(0.5 * next);
+  return sumOver(halfRuns_) + newest_ * velocity;
 }
 
 // ∫₀^∞ e^{sτ} dτ = −1/s.
@@ -127,12 +135,12 @@ void ExponentialMemory::addSteady(const Vec6& velocity) noexcept {
 Vec6 ExponentialMemory::advance(const Vec6& etaDot, double speed) noexcept {
   if (speed != weighed_) weigh(speed);
   enterAll(etaDot);
-  return force(residues_);
+  return sumOver(residues_);
 }
 
 RadiationMemory::Parts ExponentialMemory::advanceParts(const Vec6& etaDot) noexcept {
   enterAll(etaDot);
-  return {force(sum_.runs(0)), force(sum_.runs(1)), force(sum_.runs(2))};
+  return {sumOver(sum_.runs(0)), sumOver(sum_.runs(1)), sumOver(sum_.runs(2))};
 }
 
 void ExponentialMemory::reset() noexcept { std::fill(states_.begin(), states_.end(), 0.0); }

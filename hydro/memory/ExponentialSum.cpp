@@ -223,11 +223,13 @@ CMat6 ExponentialSum::transform(double omega, double speed) const {
 // As ∫K⁰ = 0, L⁰ is Re Σ (R/s) e^{sτ}, whose transform is Σ Re(R/s) even + Im(R/s) odd.
 CMat6 ExponentialSum::momentumTransform(double omega) const noexcept {
   std::array<Complex, kMostPoles> even, odd;
-  const Complex iw(0.0, omega);
   for (std::size_t m = 0; m < poles_.size(); ++m) {
-    const Complex one = 1.0 / (iw - poles_[m]), other = 1.0 / (iw - std::conj(poles_[m]));
-    even[m] = 0.5 * (one + other);
-    odd[m] = Complex(0.0, 0.5) * (one - other);
+    const double a = poles_[m].real(), b = poles_[m].imag();
+    const Complex from(-a, omega);                                   // iω − a
+    const double re = a * a - omega * omega + b * b, im = -2.0 * a * omega;  // (iω − a)² + b²
+    const Complex inverse = Complex(re, -im) / (re * re + im * im);
+    even[m] = from * inverse;
+    odd[m] = -b * inverse;
   }
   CMat6 L = CMat6::Zero();
   const double* residues = momentumRuns_.data();

@@ -90,17 +90,18 @@ class ExponentialMemory final : public RadiationMemory {
  private:
   void weigh(double speed) noexcept;
   void enterAll(const Vec6& etaDot) noexcept;
-  Vec6 sumOver(const std::vector<double>& runs, const std::vector<double>& states) const noexcept;
-  Vec6 force(const std::vector<double>& runs) const noexcept { return sumOver(runs, states_); }
-  void makeAdvance(double step, std::vector<double>& advance) const noexcept;
+  Vec6 sumOver(const std::vector<double>& runs) const noexcept;
+  void makeAdvance() noexcept;
+  void lookAhead(double half) noexcept;
 
   const ExponentialSum& sum_;
   double step_;
-  double half_ = 0.0;  // of the tick to come, for which halfAdvance_ is
+  double half_ = 0.0;  // of the tick to come, for which the next two are
+  std::vector<double> halfRuns_;  // of L⁰ half a tick ahead: those of (R/s) e^{s h/2}
+  Mat6 newest_ = Mat6::Zero();    // what the newest velocity adds in that half tick
   std::size_t width_;            // poles, rounded up to a multiple of four
   std::vector<double> advance_;  // Re, Im of e^{sh}; Re, Im of (e^{sh} − 1)/s: four runs of width_
   std::vector<double> states_;   // per mode Re z, Im z: two runs of width_
-  std::vector<double> halfAdvance_, ahead_;  // the same half a tick ahead
   std::vector<double> residues_;  // per pair −Re R(U), +Im R(U): two runs of width_
   double weighed_ = 0.0;          // U of residues_
 };
