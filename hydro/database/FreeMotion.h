@@ -9,7 +9,7 @@ struct SteadyWay {
   double leeway = 0.0;  ///< V, to port
 };
 
-/// The free ship, linearised about a steady way (THEORY.md, chapter 12). Motion ξ e^{st} about it
+/// The free ship, linearised about a steady way (THEORY.md, The free ship). Motion ξ e^{st} about it
 /// in axes of the steady heading; the water's momentum p = A ν in axes that follow the ship's own
 /// heading and pitch; s = iω′ for waves.
 ///

@@ -19,7 +19,7 @@ class RadiationModel;
 /// or filtered, so that the cross terms do no work and the force has no mean. −d(R A^∞ν)/dt is left
 /// to the engine's solver; V × R p_F is whole. Its mean yaw moment in waves, of second order, is
 /// taken off as the ship's predicted motion has it, and so is the steady trim of its way.
-///                                                             THEORY.md, chapter 12
+///                                                             THEORY.md, The free ship
 ///
 /// Loads are differences of momenta half a tick apart from t_n: over any run they add up to what is
 /// left in the water, exactly.
