@@ -201,8 +201,8 @@ Vec6 AddedMassConstraint::pastMomentum() const noexcept {
   Vec6 momentum = Vec6::Zero();
   for (int r = 0; r < count_; ++r) {
     const Row& row = rows_[static_cast<std::size_t>(r)];
-    const double share = row.ratio * (row.linear.dot(velocity.head<3>()) +
-                                      row.angular.dot(velocity.tail<3>()));
+    const double share =
+        row.ratio * (row.linear.dot(velocity.head<3>()) + row.angular.dot(velocity.tail<3>()));
     momentum.head<3>() += share * row.linear;
     momentum.tail<3>() += share * row.angular;
   }
@@ -226,9 +226,9 @@ Vec6 AddedMassConstraint::carriedInto(const TurningAxes& now) const noexcept {
     result << turn * momentum.head<3>(), turn * momentum.tail<3>();
     return result;
   };
-  return turned(frame_, carried(turned(frame_.transpose(), then), inEarth(pastAxes_.linear),
-                                inEarth(pastAxes_.angular), inEarth(now.linear),
-                                inEarth(now.angular)));
+  return turned(frame_,
+                carried(turned(frame_.transpose(), then), inEarth(pastAxes_.linear),
+                        inEarth(pastAxes_.angular), inEarth(now.linear), inEarth(now.angular)));
 }
 
 Vec6 AddedMassConstraint::momentum() const noexcept {
@@ -250,8 +250,7 @@ void AddedMassConstraint::giveWhatNoRowCarries() noexcept {
   Vec6 rest = momentum;
   for (int r = 0; r < count_; ++r) {
     const Row& row = rows_[static_cast<std::size_t>(r)];
-    const double share =
-        row.linearX.dot(momentum.head<3>()) + row.angularX.dot(momentum.tail<3>());
+    const double share = row.linearX.dot(momentum.head<3>()) + row.angularX.dot(momentum.tail<3>());
     rest.head<3>() -= share * row.linear;
     rest.tail<3>() -= share * row.angular;
   }
@@ -274,9 +273,9 @@ Vec6 AddedMassConstraint::changeByTurning(const TurningAxes& now) const noexcept
   const Vec3 turned = now.angular.transpose() * fromBullet(angular_);
   for (int r = 0; r < count_; ++r) {
     const Row& row = rows_[static_cast<std::size_t>(r)];
-    change[r] = (row.linearX.dot(momentum.head<3>()) + row.angularX.dot(momentum.tail<3>())) /
-                    row.ratio -
-                row.linear.dot(swung) - row.angular.dot(turned);
+    change[r] =
+        (row.linearX.dot(momentum.head<3>()) + row.angularX.dot(momentum.tail<3>())) / row.ratio -
+        row.linear.dot(swung) - row.angular.dot(turned);
   }
   return change;
 }

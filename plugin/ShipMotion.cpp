@@ -39,8 +39,7 @@ void Ship::findMotion(TickInput& input) const noexcept {
   steady[Sway] = course_.leeway();
   steady[Yaw] = course_.turnRate();
   input.eta << course * (position() - mean), motionAngles(course * bodyAxes());
-  input.etaDot =
-      rotated(course, input.ownAxesBefore.transpose(), velocityAfter_) - steady;
+  input.etaDot = rotated(course, input.ownAxesBefore.transpose(), velocityAfter_) - steady;
   input.etaDotNow = -steady;
   input.etaDotNow.head<3>() += course * velocityNow().head<3>();
   input.etaDotNow.tail<3>() += input.ownVelocityNow.tail<3>();
@@ -75,8 +74,7 @@ Vec3 Ship::findSlowPlace() noexcept {
     sea.phasors(input_.time, place.x, place.y, phasors_);
     displacement = input_.ramp * predicted_->displacement(phasors_);
     place.heading = heading - displacement.z();
-    const Vec3 way =
-        rotationZ(place.heading) * Vec3(displacement.x(), displacement.y(), 0.0);
+    const Vec3 way = rotationZ(place.heading) * Vec3(displacement.x(), displacement.y(), 0.0);
     const double moved = std::hypot(at.x() - way.x() - place.x, at.y() - way.y() - place.y);
     place.x = at.x() - way.x();
     place.y = at.y() - way.y();
@@ -104,9 +102,9 @@ void Ship::findSlowMotion() noexcept {
     const Vec3& rate = predicted_->now().velocity;
     const double turn = headingRate - rate.z();
     const Vec3 along = toCourse() * velocity;
-    course_.set({course_.x(), course_.y(), course_.heading()},
-                {along.x() - rate.x() + turn * swing.y(), along.y() - rate.y() - turn * swing.x(),
-                 turn});
+    course_.set(
+        {course_.x(), course_.y(), course_.heading()},
+        {along.x() - rate.x() + turn * swing.y(), along.y() - rate.y() - turn * swing.x(), turn});
   }
   const Vec3 along = toCourse() * velocity;
   predicted_->compare({along.x(), along.y(), headingRate}, input_.step, input_.courseBegins);

@@ -5,9 +5,9 @@
 #include "hydro/Errors.h"
 #include "hydro/base/Fnv1a.h"
 #include "hydro/forces/Hydrodynamics.h"
+#include "hydro/forces/PredictedMotion.h"
 #include "hydro/forces/SeaTables.h"
 #include "hydro/forces/linear/Autopilots.h"
-#include "hydro/forces/PredictedMotion.h"
 #include "hydro/forces/linear/FreeRadiation.h"
 #include "hydro/forces/linear/FreeWaveForce.h"
 #include "hydro/forces/linear/HullLift.h"
@@ -49,9 +49,9 @@ void Ship::makeParts(const ShipSettings& settings) {
   if (free()) {
     for (const WaveLoad load : {WaveLoad::FroudeKrylov, WaveLoad::Diffraction})
       database(std::make_unique<FreeWaveForce>(predicted_, load));
-    auto radiation = std::make_unique<FreeRadiation>(
-        hydrodynamics().radiation(), predicted_, settings.model.memory, hydrodynamics().fastest(),
-        0.5 * length());
+    auto radiation = std::make_unique<FreeRadiation>(hydrodynamics().radiation(), predicted_,
+                                                     settings.model.memory,
+                                                     hydrodynamics().fastest(), 0.5 * length());
     radiation_ = radiation.get();
     database(std::move(radiation));
   } else {
@@ -95,9 +95,8 @@ void Ship::partsChanged() {
   }
   if (!free()) return;
   const auto acts = [this](std::string_view name) {
-    return std::any_of(parts_.begin(), parts_.end(), [&](const ShipPart& part) {
-      return part.name == name && part.active();
-    });
+    return std::any_of(parts_.begin(), parts_.end(),
+                       [&](const ShipPart& part) { return part.name == name && part.active(); });
   };
   predicted_->setParts({.froudeKrylov = acts("froude_krylov"),
                         .diffraction = acts("diffraction"),

@@ -26,7 +26,8 @@ CMat6 waterLoad(Complex s, const SteadyWay& way, const CMat6& water, const Mat6&
   load(Pitch, Yaw) += s * steady[Roll];
   load(Yaw, Pitch) -= s * steady[Roll];
   // V × R p_F about the level y and about the vertical.
-  load.row(Pitch) -= U * p.row(Heave) + steady[Heave] * nu.row(Surge) - steady[Surge] * nu.row(Heave);
+  load.row(Pitch) -=
+      U * p.row(Heave) + steady[Heave] * nu.row(Surge) - steady[Surge] * nu.row(Heave);
   load.row(Yaw) += U * p.row(Sway) + steady[Sway] * nu.row(Surge) - steady[Surge] * nu.row(Sway) -
                    V * p.row(Surge);
   load(Yaw, Pitch) -= V * steady[Heave];

@@ -9,9 +9,9 @@ struct SteadyWay {
   double leeway = 0.0;  ///< V, to port
 };
 
-/// The free ship, linearised about a steady way (THEORY.md, The free ship). Motion ξ e^{st} about it
-/// in axes of the steady heading; the water's momentum p = A ν in axes that follow the ship's own
-/// heading and pitch; s = iω′ for waves.
+/// The free ship, linearised about a steady way (THEORY.md, The free ship). Motion ξ e^{st} about
+/// it in axes of the steady heading; the water's momentum p = A ν in axes that follow the ship's
+/// own heading and pitch; s = iω′ for waves.
 ///
 /// ν = N ξ: velocity of G and rates in those axes, of which heading and pitch turn the steady way:
 ///     u = sξ₁ + Vξ₆,   v = sξ₂ − Uξ₆,   w = sξ₃ + Uξ₅,   p, q, r = sξ₄, sξ₅, sξ₆

@@ -8,9 +8,9 @@ namespace cutwater {
 ///     Y = −e|u|(v − v_w),   N = −d|u|(r − r_w),   e = 2(m + a₂₂)/L,   d = 2 m a₂₂/e,   a = A(0)
 /// With this e leeway dies within half a ship length. d is twice what keeps a straight run stable,
 /// e d > m a₂₂; for a frigate of 124 m it is 1.0·10⁸ N·m·s/rad per m/s, as regression of model
-/// tests has it [Clarke, Gedling & Hine 1983]. v_w and r_w are mean and slope over the hull's length
-/// of the waves' orbital velocity across it at half draught: a hull that moves with the water feels
-/// no lift.
+/// tests has it [Clarke, Gedling & Hine 1983]. v_w and r_w are mean and slope over the hull's
+/// length of the waves' orbital velocity across it at half draught: a hull that moves with the
+/// water feels no lift.
 struct HullLiftFactors {
   double side = 0.0;  ///< e [kg/m]
   double turn = 0.0;  ///< d [kg·m]

@@ -143,8 +143,8 @@ CVec6 ExcitationTable::froudeKrylov(std::size_t component, double course) const 
   return froudeKrylovOf(wave.omega, wave.heading + course);
 }
 
-CVec6 ExcitationTable::diffraction(std::size_t component, double course,
-                                   double speed, double leeway) const noexcept {
+CVec6 ExcitationTable::diffraction(std::size_t component, double course, double speed,
+                                   double leeway) const noexcept {
   const WaveComponent& wave = sea_.components()[component];
   return diffractionOf(wave.omega, wave.heading + course, speed, leeway);
 }

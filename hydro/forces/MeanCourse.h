@@ -25,12 +25,12 @@ class MeanCourse {
     double speed = 0.0, leeway = 0.0, turnRate = 0.0;  ///< [m/s], [m/s], [rad/s]
   };
 
-  double x() const noexcept { return place_.x; }                ///< x̄ [m] in E
-  double y() const noexcept { return place_.y; }                ///< ȳ [m] in E
-  double heading() const noexcept { return place_.heading; }    ///< ψ̄ [rad], not wrapped
-  double speed() const noexcept { return way_.speed; }          ///< U [m/s]
-  double leeway() const noexcept { return way_.leeway; }        ///< V [m/s], to port
-  double turnRate() const noexcept { return way_.turnRate; }    ///< dψ̄/dt [rad/s]
+  double x() const noexcept { return place_.x; }              ///< x̄ [m] in E
+  double y() const noexcept { return place_.y; }              ///< ȳ [m] in E
+  double heading() const noexcept { return place_.heading; }  ///< ψ̄ [rad], not wrapped
+  double speed() const noexcept { return way_.speed; }        ///< U [m/s]
+  double leeway() const noexcept { return way_.leeway; }      ///< V [m/s], to port
+  double turnRate() const noexcept { return way_.turnRate; }  ///< dψ̄/dt [rad/s]
 
   /// Where it will be in `step` [s] if it goes on along this heading.
   Place ahead(double step) const noexcept;

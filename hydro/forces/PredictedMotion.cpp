@@ -15,9 +15,9 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSameHeading = 1e-3, kSameSpeed = 0.02;  // [rad], [m/s]: not worth renewing
 constexpr double kOldHeading = kPi / 180.0;               // the oldest that is used
-constexpr std::size_t kFewest = 2, kMost = 32;                // renewed a tick
-constexpr double kPatience = 12.0;    // of √(L/g): some waves
-constexpr double kNegligible = 1e-4;  // of g
+constexpr std::size_t kFewest = 2, kMost = 32;            // renewed a tick
+constexpr double kPatience = 12.0;                        // of √(L/g): some waves
+constexpr double kNegligible = 1e-4;                      // of g
 constexpr double kHeld = 0.4, kFree = 0.7;
 constexpr double kNoShare = 1e-9;  // of w: met too slowly to be told from a steady motion
 
@@ -123,8 +123,7 @@ void PredictedMotion::compare(const Vec3& velocity, double step, bool begins) no
 }
 
 void PredictedMotion::findFreedom() noexcept {
-  const Vec3 ratio =
-      (product_ + negligible_).cwiseQuotient(square_ + negligible_).array() - kHeld;
+  const Vec3 ratio = (product_ + negligible_).cwiseQuotient(square_ + negligible_).array() - kHeld;
   freedom_ = (ratio / (kFree - kHeld)).cwiseMax(0.0).cwiseMin(1.0);
 }
 

@@ -31,10 +31,10 @@ class PredictedMotion {
   /// Sums over the sea at one instant. Motions in axes of the slow heading, or of the ship's own
   /// where that is said.
   struct Sums {
-    Vec3 displacement = Vec3::Zero();  ///< x, y [m], ψ [rad], weighted by w
-    Vec3 velocity = Vec3::Zero();      ///< their rates
-    double momentumAhead = 0.0, momentumAcross = 0.0;    ///< p₁′, p₂′ in own axes, weighted [kg·m/s]
-    double orbitalAcross = 0.0, orbitalTurn = 0.0;       ///< v_w [m/s], r_w [rad/s]
+    Vec3 displacement = Vec3::Zero();                  ///< x, y [m], ψ [rad], weighted by w
+    Vec3 velocity = Vec3::Zero();                      ///< their rates
+    double momentumAhead = 0.0, momentumAcross = 0.0;  ///< p₁′, p₂′ in own axes, weighted [kg·m/s]
+    double orbitalAcross = 0.0, orbitalTurn = 0.0;                 ///< v_w [m/s], r_w [rad/s]
     Vec6 froudeKrylov = Vec6::Zero(), diffraction = Vec6::Zero();  ///< [N, N·m]
   };
 
@@ -92,7 +92,7 @@ class PredictedMotion {
   // How free the ship is to follow, of surge, sway and yaw.
   Vec3 predicted_ = Vec3::Zero();
   Vec3 actualBefore_ = Vec3::Zero(), predictedBefore_ = Vec3::Zero();  // velocities
-  Vec3 product_ = Vec3::Zero(), square_ = Vec3::Zero();  // of accelerations, means
+  Vec3 product_ = Vec3::Zero(), square_ = Vec3::Zero();                // of accelerations, means
   Vec3 freedom_ = Vec3::Ones();
   Vec3 negligible_;  // square of an acceleration that tells nothing
   double patience_;  // [s]

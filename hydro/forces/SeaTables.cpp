@@ -26,8 +26,8 @@ SeaTables::~SeaTables() = default;
 std::shared_ptr<const ExcitationTable> SeaTables::following() const {
   const std::lock_guard lock(cache_->mutex);
   if (!cache_->following) {
-    cache_->following = std::make_shared<ExcitationTable>(
-        hydro_->excitation(ForwardSpeedForm::Tuck), *sea_);
+    cache_->following =
+        std::make_shared<ExcitationTable>(hydro_->excitation(ForwardSpeedForm::Tuck), *sea_);
   }
   return cache_->following;
 }

@@ -55,8 +55,8 @@ struct CourseKeeper {
 struct ShipModel {
   Mean mean = Mean::Free;
   MemoryModel memory = MemoryModel::Exponential;
-  bool hullLift = true;              ///< HullLift.h, Mean::Free only
-  bool resistance = true;            ///< what slows it in calm water (Resistance.h), Mean::Free only
+  bool hullLift = true;    ///< HullLift.h, Mean::Free only
+  bool resistance = true;  ///< what slows it in calm water (Resistance.h), Mean::Free only
   std::array<bool, 6> restrained{};  ///< modes held on the mean course, each by a row of the solver
   std::optional<SpeedKeeper> keepSpeed{};
   std::optional<CourseKeeper> keepCourse{};

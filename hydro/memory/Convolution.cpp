@@ -59,11 +59,11 @@ ConvolutionWeights::ConvolutionWeights(const RetardationMatrix& retardation, dou
   }
   for (int n = 0; n < 36; ++n) {
     const int j = n / 6, k = n % 6;
-    const Pair pair{j,
-                    k,
-                    pairs_.size() * ring_,
-                    {size[0](j, k) > 0.0, size[1](j, k) > 0.0, size[2](j, k) > 0.0,
-                     size[0](j, k) > 0.0}};
+    const Pair pair{
+        j,
+        k,
+        pairs_.size() * ring_,
+        {size[0](j, k) > 0.0, size[1](j, k) > 0.0, size[2](j, k) > 0.0, size[0](j, k) > 0.0}};
     if (pair.holds[0] || pair.holds[1] || pair.holds[2]) pairs_.push_back(pair);
   }
   fill(cells, retardation.linearTotal());

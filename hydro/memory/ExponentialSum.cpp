@@ -68,9 +68,13 @@ std::vector<double> sizes(const std::vector<double>& omega, const std::vector<do
 /// where that says most.
 Response responseOf(const Spectrum& s, int j, int k, std::size_t part) {
   const auto n = static_cast<Eigen::Index>(s.omega.size());
-  Response r{Eigen::VectorXcd(n), Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n),
-             part == 1 ? s.linearTotal(j, k) : 0.0, part < 2,
-             part == 0 ? s.momentumTotal(j, k) : 0.0, part == 0};
+  Response r{Eigen::VectorXcd(n),
+             Eigen::VectorXd::Zero(n),
+             Eigen::VectorXd::Zero(n),
+             part == 1 ? s.linearTotal(j, k) : 0.0,
+             part < 2,
+             part == 0 ? s.momentumTotal(j, k) : 0.0,
+             part == 0};
   for (Eigen::Index i = 0; i < n; ++i)
     r.value[i] = s.values[static_cast<std::size_t>(i)][part](j, k);
   for (const double U : kSpeeds) {
@@ -225,7 +229,7 @@ CMat6 ExponentialSum::momentumTransform(double omega) const noexcept {
   std::array<Complex, kMostPoles> even, odd;
   for (std::size_t m = 0; m < poles_.size(); ++m) {
     const double a = poles_[m].real(), b = poles_[m].imag();
-    const Complex from(-a, omega);                                   // iω − a
+    const Complex from(-a, omega);                                           // iω − a
     const double re = a * a - omega * omega + b * b, im = -2.0 * a * omega;  // (iω − a)² + b²
     const Complex inverse = Complex(re, -im) / (re * re + im * im);
     even[m] = from * inverse;

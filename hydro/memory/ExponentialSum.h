@@ -96,10 +96,10 @@ class ExponentialMemory final : public RadiationMemory {
 
   const ExponentialSum& sum_;
   double step_;
-  double half_ = 0.0;  // of the tick to come, for which the next two are
+  double half_ = 0.0;             // of the tick to come, for which the next two are
   std::vector<double> halfRuns_;  // of L⁰ half a tick ahead: those of (R/s) e^{s h/2}
   Mat6 newest_ = Mat6::Zero();    // what the newest velocity adds in that half tick
-  std::size_t width_;            // poles, rounded up to a multiple of four
+  std::size_t width_;             // poles, rounded up to a multiple of four
   std::vector<double> advance_;  // Re, Im of e^{sh}; Re, Im of (e^{sh} − 1)/s: four runs of width_
   std::vector<double> states_;   // per mode Re z, Im z: two runs of width_
   std::vector<double> residues_;  // per pair −Re R(U), +Im R(U): two runs of width_

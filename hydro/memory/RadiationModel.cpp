@@ -3,7 +3,8 @@
 namespace cutwater {
 
 RadiationModel::RadiationModel(const Coefficients& coefficients, ForwardSpeedForm form)
-    : retardation_(coefficients, form), addedMassInf_(0.5 * (coefficients.addedMass.atInfinity +
+    : retardation_(coefficients, form),
+      addedMassInf_(0.5 * (coefficients.addedMass.atInfinity +
                            coefficients.addedMass.atInfinity.transpose())) {}
 
 CMat6 RadiationModel::waterMass(double omega) const noexcept {

@@ -152,8 +152,7 @@ std::vector<std::vector<Complex>> fitResidues(const std::vector<double>& omega,
     const Eigen::HouseholderQR<Matrix> qr(rows * norms.cwiseInverse().asDiagonal());
     Vector factors = qr.solve(Vector(stacked(r.value, r)));
     if (r.holdsZero) {
-      const Matrix goals =
-          norms.cwiseInverse().asDiagonal() * known.leftCols(r.holdsSlope ? 2 : 1);
+      const Matrix goals = norms.cwiseInverse().asDiagonal() * known.leftCols(r.holdsSlope ? 2 : 1);
       const Vector values = Eigen::Vector2d(r.atZero, r.slope).head(goals.cols());
       const auto R = qr.matrixQR().topRows(rows.cols()).triangularView<Eigen::Upper>();
       const Matrix half = R.transpose().solve(goals);

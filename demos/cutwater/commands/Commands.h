@@ -48,8 +48,7 @@ struct LoadingOptions {
 void coefficients(const std::string& database, const SpeedOptions& moving, const std::string& out);
 void excitation(const std::string& database, const WaveOptions& waves, const std::string& out);
 void rao(const std::string& database, const WaveOptions& waves, const LoadingOptions& loading,
-         bool free,
-         const std::string& out);
+         bool free, const std::string& out);
 void retardation(const std::string& database, double step, double duration, const std::string& out);
 void simulate(const std::string& run, bool forces, const std::string& out);
 void sweep(const std::string& run, int threads, const std::string& out);

@@ -62,15 +62,16 @@ void checkStability(const RunFile& run, const Hydrodynamics& ship) {
                     run.path, speed, *stability.course));
 }
 
-// A ship on a steady course whose yaw nothing holds turns out of it, which its theory does not know.
+// A ship on a steady course whose yaw nothing holds leaves it, which its theory does not know.
 void warnOfLooseYaw(const RunFile& run, const ShipParticulars& ship) {
   const ShipModel& model = run.model;
   const bool held = model.restrained.at(Yaw) || model.keepCourse.has_value() ||
                     ship.supplementary.stiffness[Yaw] > 0.0;
   if (model.mean == Mean::Free || run.start.speed == 0.0 || held) return;
-  warn(fmt::format("{}: [motion] speed = {} m/s on a fixed course, and nothing holds the yaw: give "
-                   "yaw_stiffness or keep_course, restrain it, or set mean = \"free\"",
-                   run.path, run.start.speed));
+  warn(
+      fmt::format("{}: [motion] speed = {} m/s on a fixed course, and nothing holds the yaw: give "
+                  "yaw_stiffness or keep_course, restrain it, or set mean = \"free\"",
+                  run.path, run.start.speed));
 }
 
 // Of the run, if they and their text, which grows by doubling, fit into memory.

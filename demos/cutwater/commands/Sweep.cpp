@@ -173,14 +173,16 @@ void tellRunaways(const RunFile& run, const std::vector<WaveRun>& waves) {
     ran = ran || !waves[i].ranAway.empty();
     for (const Complex& answer : waves[i].amplitude) any = any || std::isfinite(answer.real());
     if (waves[i].ranAway.empty()) continue;
-    warn(fmt::format("{}: [waves] omega = {}: {}: the motion is no harmonic, as of a mode that "
-                     "nothing holds: written as nan",
-                     run.path, csvNumber(run.omega[i]), waves[i].ranAway));
+    warn(
+        fmt::format("{}: [waves] omega = {}: {}: the motion is no harmonic, as of a mode that "
+                    "nothing holds: written as nan",
+                    run.path, csvNumber(run.omega[i]), waves[i].ranAway));
   }
   if (ran && !any)
     throw HydroError(Fault::ValueOutOfRange,
-                     run.path + ": [motion]: in no wave a motion was harmonic; hold the modes that "
-                                "run away (restrain, stiffness, keep_course)");
+                     run.path +
+                         ": [motion]: in no wave a motion was harmonic; hold the modes that "
+                         "run away (restrain, stiffness, keep_course)");
 }
 
 }  // namespace

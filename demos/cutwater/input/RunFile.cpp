@@ -129,8 +129,9 @@ void readMean(TomlSection& motion, ShipModel& model) {
   const char* usual = model.mean == Mean::Free ? "free" : "fixed";
   const std::string mean = motion.text("mean", usual, {"fixed", "free", "filtered"});
   if (mean == "filtered")
-    motion.refuse("mean", "= \"filtered\" is no more; \"free\" is the ship that is free to go, "
-                          "\"fixed\" one on a steady course");
+    motion.refuse("mean",
+                  "= \"filtered\" is no more; \"free\" is the ship that is free to go, "
+                  "\"fixed\" one on a steady course");
   if (motion.has("follow_time"))
     motion.refuse("follow_time", "is no more: a free ship needs no filter");
   model.mean = mean == "free" ? Mean::Free : Mean::Fixed;
