@@ -14,8 +14,8 @@ namespace cutwater {
 
 /// The axes in which the six numbers of a load are given. The point is always G.
 enum class Axes {
-  /// Force in H. Moment as generalised forces of roll, pitch and yaw: its parts about the ship's
-  /// own x axis, about the level y axis of its heading, and about the vertical (first-order theory).
+  /// Force in H. Moment as generalised forces of roll, pitch and yaw: its parts about the own
+  /// x axis, about the level y axis of the heading, and about the vertical (first-order theory).
   Course,
   Earth,  ///< E
   Own     ///< B, fixed to the hull
