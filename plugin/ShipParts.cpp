@@ -51,7 +51,7 @@ void Ship::makeParts(const ShipSettings& settings) {
       database(std::make_unique<FreeWaveForce>(predicted_, load));
     auto radiation = std::make_unique<FreeRadiation>(hydrodynamics().radiation(), predicted_,
                                                      settings.model.memory,
-                                                     hydrodynamics().fastest(), 0.5 * length());
+                                                     2.0 * hydrodynamics().fastest(), 0.5 * length());
     radiation_ = radiation.get();
     database(std::move(radiation));
   } else {

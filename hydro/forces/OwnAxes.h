@@ -11,10 +11,13 @@
 /// vertical.
 namespace cutwater {
 
-/// R of a heading and a pitch [rad]. Beyond 45° of pitch, outside the theory, R pitches less than
-/// the ship and never beyond 75°, so that x is never vertical.
+/// Pitch [rad] up to which R pitches whole with the ship, and that which it never exceeds. Beyond
+/// the first the ship is outside the theory, and R pitches less than it, so that x is never steep.
+inline constexpr double kWholePitch = kPi / 6.0, kMostPitch = kPi / 4.0;
+
+/// R of a heading and a pitch [rad].
 inline Mat3 ownAxes(double heading, double pitch) {
-  constexpr double kWhole = kPi / 4.0, kRest = kPi / 6.0;
+  constexpr double kWhole = kWholePitch, kRest = kMostPitch - kWholePitch;
   const double beyond = std::abs(pitch) - kWhole;
   const double bounded =
       beyond > 0.0 ? std::copysign(kWhole + kRest * std::tanh(beyond / kRest), pitch) : pitch;

@@ -65,6 +65,18 @@ double FreeRadiation::meanYaw(const TickInput& now) const noexcept {
          now.speed * (atRest(Sway, Sway) - atRest(Surge, Surge)) * turn * ahead;
 }
 
+// Way and spin lose (ends/fastest − 1)√(g/L) of themselves a second, at most half a tick.
+void FreeRadiation::brake(const TickInput& now, double ends, Vec6& load) const noexcept {
+  const FreeResponse& ship = predicted_->response();
+  const double rate = std::min((ends / fastest_ - 1.0) * ship.rate(), 0.5 / now.step);
+  Vec6 velocity;
+  velocity << now.attitude * now.velocityNow.head<3>(), now.velocityNow.tail<3>();
+  velocity[Heave] = 0.0;
+  const Vec6 lost = rate * (ship.mass() * velocity);
+  load.head<3>() -= lost.head<3>();
+  load.tail<3>() -= now.attitude * lost.tail<3>();
+}
+
 Wrench FreeRadiation::evaluate(const TickInput& now) noexcept {
   if (!memory_) return {};
   memory_->setStep(now.lastStep);  // the convolution has been prepared for it
@@ -91,6 +103,7 @@ Wrench FreeRadiation::evaluate(const TickInput& now) noexcept {
   begun_ = true;
   Wrench wrench{.axes = Axes::Earth};
   wrench.load << own * rate.head<3>(), momentOf(own, moment);
+  if (ends > fastest_) brake(now, ends, wrench.load);
   return wrench;
 }
 

@@ -27,8 +27,8 @@ class FreeRadiation final : public ForceGenerator {
  public:
   /// @param predicted  of the same ship.
   /// @param fastest  [m/s]: where the ends of the hull, halfLength [m] from G, move faster, far
-  ///        outside the theory, the cross terms are taken smaller by the square of the ratio, so
-  ///        that a ship that is thrown stays bounded.
+  ///        outside the theory, the cross terms are taken smaller by the square of the ratio, and
+  ///        what that leaves unbalanced is braked: a ship that is thrown stays bounded.
   FreeRadiation(std::shared_ptr<const RadiationModel> model,
                 std::shared_ptr<const PredictedMotion> predicted,
                 MemoryModel memory = MemoryModel::Exponential,
@@ -54,6 +54,7 @@ class FreeRadiation final : public ForceGenerator {
  private:
   static constexpr std::size_t kOwnState = 6 + 3 + 1;
   void begin(const TickInput& now) noexcept;
+  void brake(const TickInput& now, double ends, Vec6& load) const noexcept;
   double steadyTrim(const TickInput& now) const noexcept;
   double meanYaw(const TickInput& now) const noexcept;
 
