@@ -36,7 +36,7 @@ class TickObserver {
 ///     const auto frigate = cutwater::readHydrodynamics("frigate.h5");
 ///     cutwater::Seaway seaway(world, cutwater::SeaState(components, 9.81));
 ///     auto& ship = seaway.addShip(frigate, {.start = {.heading = 0.5, .speed = 8.0},
-///                                           .model = {.mean = cutwater::Mean::Filtered}});
+///                                           .model = {.mean = cutwater::Mean::Free}});
 ///     ship.keepSpeed({.speed = 8.0});
 ///     while (running) world.stepSimulation(frame, 4, 1.0 / 60);   // ship.body() moves
 ///
@@ -77,7 +77,7 @@ class Seaway final {
   /// the mean course (x, y, heading). Of `settings`
   ///     model      is used, all of it, as for a body of ours
   ///     start      speed only, and only with Mean::Fixed: the speed of the mean course. The body
-  ///                is not set in motion: setLinearVelocity before. With Mean::Filtered the course
+  ///                is not set in motion: setLinearVelocity before. With Mean::Free the course
   ///                begins at the body's own velocity.
   ///     collision  is not used
   Ship& addShip(std::shared_ptr<const Hydrodynamics> hydrodynamics, btRigidBody& body,

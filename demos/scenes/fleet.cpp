@@ -34,7 +34,7 @@ Outcome sail(const std::shared_ptr<const Hydrodynamics>& frigate, const SeaState
     settings.start.y = kApart * (i / kColumns);
     settings.start.heading = i % 8 * kPi / 4.0;
     settings.start.speed = kSpeed;
-    settings.model.mean = Mean::Filtered;
+    settings.model.mean = Mean::Free;
     settings.model.keepSpeed = SpeedKeeper{.speed = kSpeed};
     settings.model.keepCourse = CourseKeeper{.heading = settings.start.heading};
     settings.collision.shape = &hull;

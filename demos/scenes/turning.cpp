@@ -40,7 +40,7 @@ bool turn(int run, const Coefficients& frigate, const SeaState& sea, double jump
   Seaway seaway(bullet.world, sea);
   ShipSettings settings;
   settings.start.speed = kSpeed;
-  settings.model.mean = Mean::Filtered;
+  settings.model.mean = Mean::Free;
   settings.model.keepSpeed = SpeedKeeper{.speed = kSpeed};
   settings.model.keepCourse = CourseKeeper{};
   Ship& ship = seaway.addShip(frigate, settings);
@@ -71,7 +71,7 @@ bool coast(const Coefficients& frigate, DemoTable& table) {
   Seaway seaway(bullet.world);
   ShipSettings settings;
   settings.start.speed = kSpeed;
-  settings.model.mean = Mean::Filtered;
+  settings.model.mean = Mean::Free;
   settings.start.velocity[Yaw] = 0.001;
   Ship& ship = seaway.addShip(frigate, settings);
   double before = ship.energy(), gained = 0.0;

@@ -183,7 +183,7 @@ void benchFleet(std::string& csv, const std::string& name, const Shared& c, int 
 void benchTimeDomain(std::string& csv, const Coefficients& coefficients) {
   const auto c = std::make_shared<const Hydrodynamics>(coefficients);
   ShipSettings free;
-  free.model.mean = Mean::Filtered;
+  free.model.mean = Mean::Free;
   free.start.speed = 8.0;
   free.model.keepSpeed = SpeedKeeper{.speed = 8.0};
   free.model.keepCourse = CourseKeeper{};

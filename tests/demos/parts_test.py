@@ -39,7 +39,7 @@ class Parts(unittest.TestCase):
         rows = self.rows(self.simulate("", "--forces"))
         expected = [f"{part}_F{j}" for part in PARTS for j in range(1, 7)]
         self.assertEqual(list(rows[0])[14:], expected)
-        free = self.rows(self.simulate('mean = "filtered"\n', "--forces"))
+        free = self.rows(self.simulate('mean = "free"\n', "--forces"))
         self.assertEqual(list(free[0])[14:], expected + [f"hull_lift_F{j}" for j in range(1, 7)])
 
     def test_each_part_says_its_mean_and_what_it_costs(self):

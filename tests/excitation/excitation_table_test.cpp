@@ -52,6 +52,30 @@ TEST(ExcitationTableIdentity, IsDirectEvaluationAtAnyCourseAndSpeedOvertakingOrN
   }
 }
 
+// Leeway V is felt in the encounter frequency alone: of Tuck's form, F_D = ω′F^ω + U F^U, sway and
+// heave are those at the speed U − V tan β, at which the wave is met alike; pitch has i U F^ω₃
+// beside them, yaw −i U F^ω₂.
+TEST(ExcitationTableIdentity, LeewayChangesTheFrequencyOfMeetingAlone) {
+  const Coefficients c = tableBox();
+  const SeaState sea = tableSea();
+  const ExcitationTable table(c, sea, ForwardSpeedForm::Tuck);
+  for (const std::size_t i : {3u, 17u, 35u}) {
+    const WaveComponent& wave = sea.components()[i];
+    const double psi = 0.6, U = 4.0, V = 0.7, beta = wave.heading + psi;
+    const double met = wave.omega - wave.omega * wave.omega / sea.gravity() *
+                                        (U * std::cos(beta) - V * std::sin(beta));
+    const double same = U - V * std::tan(beta);
+    const CVec6 found = table.diffraction(i, psi, U, V);
+    CVec6 expected = table.diffraction(i, psi, same);
+    const Complex more = Complex(0.0, U - same) / met;
+    expected[Pitch] += more * expected[Heave];
+    expected[Yaw] -= more * expected[Sway];
+    EXPECT_LT((found - expected).norm(), 1e-10 * expected.norm()) << i;  // U and V round ω′
+    EXPECT_EQ(table.diffraction(i, psi, U, 0.0), table.diffraction(i, psi, U));
+    EXPECT_FALSE(table.diffraction(i, psi, U, std::nan("")).allFinite());
+  }
+}
+
 // F_I's triangles are cut along other diagonals on the starboard side, which to second order in
 // their size over the wave length is not quite the same: (kd)³ of waves twice as long as a panel's
 // length.

@@ -10,16 +10,15 @@ namespace cutwater::test {
 /// Both parts of the wave load on a ship, evaluated as a ship does: with the phasors of the tick.
 class WaveLoads {
  public:
-  WaveLoads(std::shared_ptr<const SeaTables> seaTables, const WaveForce::Course& start,
-            bool follows)
+  WaveLoads(std::shared_ptr<const SeaTables> seaTables, const WaveForce::Course& start)
       : tables(std::move(seaTables)),
-        froudeKrylov(tables, WaveLoad::FroudeKrylov, start, follows),
-        diffraction(tables, WaveLoad::Diffraction, start, follows),
+        froudeKrylov(tables, WaveLoad::FroudeKrylov, start),
+        diffraction(tables, WaveLoad::Diffraction, start),
         phasors_(tables->sea().phasorBlocks()) {}
   /// @param form  of the forward-speed terms; absent: the database's own.
   WaveLoads(Coefficients coefficients, SeaState sea, const WaveForce::Course& start,
-            bool follows = false, std::optional<ForwardSpeedForm> form = {})
-      : WaveLoads(seaTablesOf(std::move(coefficients), std::move(sea), form), start, follows) {}
+            std::optional<ForwardSpeedForm> form = {})
+      : WaveLoads(seaTablesOf(std::move(coefficients), std::move(sea), form), start) {}
 
   static std::shared_ptr<const SeaTables> seaTablesOf(Coefficients coefficients, SeaState sea,
                                                       std::optional<ForwardSpeedForm> form = {}) {

@@ -8,7 +8,6 @@
 
 #include "hydro/Errors.h"
 #include "hydro/database/Coefficients.h"
-#include "hydro/forces/linear/HullLift.h"
 
 namespace cutwater {
 namespace {
@@ -152,25 +151,26 @@ TEST(Autopilots, MomentKeepsItsLimit) {
   EXPECT_EQ(force[Sway], 0.0);
 }
 
-// Y = −e|u|v and N = −d|u|r, e = 2(m + a)/L, d = 2 m a/e; a ship that goes where its bow points
-// makes no leeway. They never give energy, and e d > m a keeps a straight run stable.
-TEST(HullLiftClosedForm, ResistsLeewayAndTurningInProportionToSpeed) {
-  Coefficients c;
-  c.ship = keptShip();
-  const double added = 0.8 * kMass;
-  c.addedMass.atZero(Sway, Sway) = added;
-  HullLift lift(c, kLength);
+// A free ship's keepers see its slow motion alone: its surge and yaw in waves are not answered.
+TEST(AutopilotsIdentity, OnAFreeShipTheyDoNotSeeWhatTheWavesDo) {
+  Autopilots still(keptShip(), addedMass(), kLength, true), tossed = still;
   TickInput motion;
-  motion.speed = 10.0;
-  motion.etaDotNow[Sway] = 0.3;
-  motion.etaDotNow[Yaw] = 0.01;
-  motion.turnRate = 0.02;
-  const double e = 2.0 * (kMass + added) / kLength, d = 2.0 * kMass * added / e;
-  const Vec6 force = lift.evaluate(motion).load;
-  EXPECT_DOUBLE_EQ(force[Sway], -e * 10.0 * 0.3);
-  EXPECT_DOUBLE_EQ(force[Yaw], -d * 10.0 * 0.03);
-  motion.eta[Yaw] = std::atan(0.3 / 10.0);
-  EXPECT_NEAR(lift.evaluate(motion).load.head<3>().norm(), 0.0, 1e-9 * e * 10.0);
+  motion.speed = 4.0;
+  motion.meanHeading = 0.3;
+  motion.turnRate = 0.01;
+  TickInput inWaves = motion;
+  inWaves.eta[Yaw] = 0.05;
+  inWaves.etaDotNow[Surge] = 0.5;
+  inWaves.etaDotNow[Yaw] = 0.02;
+  for (Autopilots* k : {&still, &tossed}) {
+    k->hold(SpeedKeeper{5.0, 1e9, 0.05});
+    k->hold(CourseKeeper{0.0, 1e15, 0.1});
+  }
+  const Vec6 force = still.evaluate(motion).load;
+  EXPECT_EQ(tossed.evaluate(inWaves).load, force);
+  EXPECT_NEAR(force[Surge], kSurging * 2.0 * 0.05, 1e-6);
+  EXPECT_EQ(force[Sway], 0.0);
+  EXPECT_LT(force[Yaw], 0.0);
 }
 
 TEST(Autopilots, TurnsTheShorterWay) {

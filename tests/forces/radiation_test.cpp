@@ -15,8 +15,8 @@ std::shared_ptr<const RadiationModel> modelOf(ForwardSpeedForm form) {
 }
 
 /// Ready for ticks of 0.05 s.
-Radiation radiation(const std::shared_ptr<const RadiationModel>& model, bool follows = false) {
-  Radiation part(model, follows);
+Radiation radiation(const std::shared_ptr<const RadiationModel>& model) {
+  Radiation part(model);
   part.prepare(0.05);
   return part;
 }
@@ -25,7 +25,6 @@ TickInput anyMotion() {
   TickInput motion;
   motion.step = motion.lastStep = 0.05;
   motion.speed = 6.0;
-  motion.turnRate = 0.04;
   motion.eta << 0.3, -0.2, 0.5, 0.1, -0.15, 0.07;
   motion.etaDot << 0.1, 0.4, -0.3, 0.2, 0.25, -0.1;
   motion.etaDotNow << 0.12, 0.41, -0.28, 0.22, 0.23, -0.12;
@@ -47,39 +46,6 @@ TEST(RadiationIdentity, IsTheMemorysForceLessTheDampingAndStiffnessOfSpeed) {
       EXPECT_LT((found - expected).norm(), 1e-13 * expected.norm());
     }
   }
-}
-
-// On a free course the terms of speed are those of a ship held at u = U + η̇₁, and a surge force
-// beside them that makes their work on its oscillation and its turning, and its own on its way u,
-// zero. Round-off.
-TEST(RadiationIdentity, WorkOfSpeedTermsOnAFreeShipComesOutOfItsWay) {
-  const auto model = modelOf(ForwardSpeedForm::Tuck);
-  Radiation force = radiation(model, true), held = radiation(model), resting = radiation(model);
-  TickInput motion = anyMotion(), at = motion, rest = motion;
-  const double u = motion.speed + motion.etaDotNow[Surge];
-  at.speed = u;
-  rest.speed = 0.0;
-  const Vec6 found = force.evaluate(motion).load, kept = held.evaluate(at).load,
-             ofSpeed = kept - resting.evaluate(rest).load;
-  const Vec6 reaction = found - kept;
-  Vec6 w = motion.etaDotNow;
-  w[Yaw] += motion.turnRate;
-  const double work = ofSpeed.dot(w);
-  EXPECT_LT(reaction.tail<5>().norm(), 1e-13 * found.norm());
-  EXPECT_NEAR(work + reaction[Surge] * u, 0.0, 1e-13 * ofSpeed.norm() * w.norm());
-  EXPECT_GT(std::abs(work), 1e-3 * ofSpeed.norm() * w.norm());  // it was not nothing
-}
-
-// The report's form damps leeway with the wrong sign going astern: a free ship has none of it
-// there.
-TEST(RadiationIdentity, GoingAsternTheReportsFormHasNoTermsOfSpeedOnAFreeShip) {
-  TickInput motion = anyMotion(), rest = motion;
-  motion.speed = -6.0;
-  rest.speed = 0.0;
-  const auto model = modelOf(ForwardSpeedForm::Report);
-  Radiation astern = radiation(model, true), resting = radiation(model);
-  const Vec6 expected = resting.evaluate(rest).load;
-  EXPECT_LT((astern.evaluate(motion).load - expected).norm(), 1e-13 * expected.norm());
 }
 
 // On a steady straight course b of Tuck's form does no work at all, c none over a period.

@@ -55,6 +55,43 @@ TEST(ExponentialSumIdentity, TransformIsTheIntegralOfTheFunctions) {
   }
 }
 
+// L⁰ = ∫K⁰ has the transform K̂/iω, of either sign of ω. Round-off of the fit's ∫K⁰ = 0 over ω.
+TEST(ExponentialSumIdentity, MomentumIsTheIntegralOfTheForce) {
+  const ExponentialSum sum = sumOf(20);
+  for (const double omega : {0.05, 0.7, 2.5, 10.0}) {
+    const CMat6 expected = sum.transform(omega, 0.0) / Complex(0.0, omega);
+    const CMat6 found = sum.momentumTransform(omega);
+    EXPECT_LT((found - expected).norm(), 1e-10 * expected.norm()) << omega;
+    EXPECT_LT((sum.momentumTransform(-omega) - found.conjugate()).norm(), 1e-15 * found.norm());
+  }
+}
+
+// A steady velocity has the momentum of A(0) − A(∞), exactly, with however few poles: a ship that
+// is pushed for long moves with M + A(0).
+TEST(ExponentialSumIdentity, MomentumAtZeroFrequencyIsThatOfAddedMassAtRest) {
+  const Mat6 total = kernelsToFit().momentumIntegral(0.0, HUGE_VAL);
+  for (const std::size_t poles : {6u, 20u}) {
+    const CMat6 found = sumOf(poles).momentumTransform(0.0);
+    // Two conditions beside each other on poles some 1e2 apart.
+    EXPECT_LT((found - total.cast<Complex>()).norm(), 1e-10 * total.norm()) << poles;
+  }
+}
+
+// In time: the memory's momentum is Re Σ (R/s) e^{sτ}, the integral of K⁰, and of opposite signs in
+// its runs, so that both are multiplied alike.
+TEST(ExponentialSumIdentity, MomentumRunsHoldTheIntegratedResidues) {
+  const ExponentialSum sum = sumOf(5);
+  const std::vector<double>& runs = sum.momentumRuns();
+  ASSERT_EQ(runs.size(), sum.pairs().size() * 2 * sum.width());
+  for (std::size_t p = 0; p < sum.pairs().size(); ++p)
+    for (std::size_t m = 0; m < sum.width(); ++m) {
+      const bool isPole = m < sum.size();
+      const Complex R = isPole ? sum.pairs()[p].atRest[m] / sum.poles()[m] : Complex(0.0);
+      EXPECT_EQ(runs[2 * p * sum.width() + m], R.real());
+      EXPECT_EQ(runs[(2 * p + 1) * sum.width() + m], -R.imag());
+    }
+}
+
 // More oscillations follow the functions better: the kernels have two poles of fourth order, which
 // 6 distinct ones only begin to resemble.
 TEST(ExponentialSumConvergence, MorePolesLeaveLess) {

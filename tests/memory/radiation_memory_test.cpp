@@ -106,6 +106,77 @@ TEST_P(RadiationMemoryIdentity, FirstTickIsResistedByTheKernelAtZero) {
   }
 }
 
+/// A(0) − A(∞) of both memories.
+Mat6 rest() { return model().retardation().momentumIntegral(0.0, HUGE_VAL); }
+
+// A ship that has always had a velocity moves the water of A(0); it goes on doing so, tick after
+// tick of any length that the memory takes.
+TEST_P(RadiationMemoryIdentity, ASteadyVelocityHasTheMomentumOfAddedMassAtRest) {
+  const auto memory = make();
+  Vec6 velocity = velocityAt(1);
+  memory->addSteady(velocity);
+  const Vec6 expected = rest() * velocity;
+  for (int n = 0; n < 40; ++n) {
+    const Vec6 found = memory->momentum(velocity, kTick);
+    ASSERT_LT((found - expected).norm(), 1e-10 * expected.norm()) << n;  // of cancelling terms
+    if (GetParam() == Memory::Sum) memory->setStep(kTick * (1.0 + 0.3 * (n % 3)));
+  }
+  // A steady velocity beside it is felt as if it had always been there.
+  const Vec6 more = velocityAt(2), both = velocity + more;
+  memory->addSteady(more);
+  EXPECT_LT((memory->momentum(both, kTick) - rest() * both).norm(), 1e-10 * expected.norm());
+}
+
+// From rest the same is reached as the memory fades. The slowest pole of the fit, whose share is
+// small, dies as e^{−t/50 s} or so.
+TEST_P(RadiationMemoryIdentity, AVelocityThatLastsComesToTheMomentumOfAddedMassAtRest) {
+  const auto memory = make();
+  const Vec6 velocity = velocityAt(1), expected = rest() * velocity;
+  Vec6 found;
+  for (int n = 0; n < 24000; ++n) found = memory->momentum(velocity, kTick);
+  EXPECT_LT((found - expected).norm(), 1e-9 * expected.norm());
+  memory->reset();
+  EXPECT_EQ(memory->momentum(Vec6::Zero(), kTick), Vec6::Zero().eval());
+}
+
+/// Largest distance, of smooth motions at rest, between the force and the rate of the momentum that
+/// is left half a tick before and after.
+double rateError(RadiationMemory& force, RadiationMemory& momentum, double h) {
+  double error = 0.0;
+  Vec6 before = Vec6::Zero();
+  for (int n = 1; n * h < 20.0; ++n) {
+    const auto place = [h](double tick) {  // 1 − cos: at rest at the start
+      return Vec6(Vec6::NullaryExpr([&](Eigen::Index m) {
+        const double w = 0.5 + 0.1 * static_cast<double>(m);
+        return 1.0 - std::cos(w * tick * h);
+      }));
+    };
+    const Vec6 mean = (place(n) - place(n - 1)) / h;
+    const Vec6 after = momentum.momentum(mean, h);
+    error = std::max(error, (force.advance(mean) + (after - before) / h).norm());
+    before = after;
+  }
+  return error;
+}
+
+// F = −dq/dt, at second order in the tick.
+TEST_P(RadiationMemoryIdentity, ForceIsTheRateOfTheMomentum) {
+  const double coarse = rateError(*make(0.1), *make(0.1), 0.1),
+               fine = rateError(*make(0.05), *make(0.05), 0.05);
+  EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.3);
+  EXPECT_LT(fine, 5e-3 * sizeOfForce(*make()));
+}
+
+// Of momenta too: linear in the past.
+TEST_P(RadiationMemoryIdentity, MomentaOfTwoMotionsAdd) {
+  const auto one = make(), other = make(), both = make();
+  for (int n = 0; n < 200; ++n) {
+    const Vec6 a = velocityAt(n), b = velocityAt(3 * n + 7), sum = 2.0 * a - b;
+    const Vec6 apart = 2.0 * one->momentum(a, kTick) - other->momentum(b, kTick);
+    EXPECT_LT((both->momentum(sum, kTick) - apart).norm(), 1e-11 * rest().norm()) << n;
+  }
+}
+
 TEST_P(RadiationMemoryIdentity, FitsItsOwnStateAndNoOther) {
   const auto memory = make(), finer = make(0.5 * kTick);
   EXPECT_EQ(memory->step(), kTick);
@@ -130,6 +201,20 @@ TEST_P(RadiationMemoryIdentity, FitsItsOwnStateAndNoOther) {
   std::vector<double> after(memory->stateSize());
   memory->save(after);
   EXPECT_EQ(after, state);
+}
+
+// The two memories have the same momentum but for the fit, 1e-3 of the largest K, and what lies
+// beyond the convolution's duration.
+TEST(RadiationMemoryVerification, SumAndConvolutionHaveTheSameMomentum) {
+  const auto sum = model().makeMemory(kTick), convolution = model().makeConvolution(kTick);
+  double worst = 0.0, largest = 0.0;
+  for (int n = 0; n < 600; ++n) {
+    const Vec6 v = velocityAt(n);
+    const Vec6 a = sum->momentum(v, kTick), b = convolution->momentum(v, kTick);
+    worst = std::max(worst, (a - b).norm());
+    largest = std::max(largest, b.norm());
+  }
+  EXPECT_LT(worst, 3e-3 * largest);
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, RadiationMemoryIdentity,

@@ -5,6 +5,7 @@
 
 #include "hydro/Errors.h"
 #include "hydro/memory/RetardationMatrix.h"
+#include "tests/memory/CausalShip.h"
 #include "tests/support/CsvTable.h"
 #include "tests/support/Results.h"
 
@@ -241,6 +242,28 @@ TEST(RetardationMatrix, HoldsTheFunctionsOfTheSymmetrisedDamping) {
   EXPECT_EQ(matrix.sineTransform(0.7)(2, 4), alone.sineTransform(0.7));
   EXPECT_TRUE(matrix.isZero(0, 1));  // round-off
   EXPECT_FALSE(matrix.isZero(4, 2));
+}
+
+// ∫_a^b ∫₀^τ K⁰ by Simpson's rule on ∫₀^τ K⁰; pieces add up to the whole, which is A(0) − A(∞):
+// (2/π)∫ B/ω² dω, of E(0) in closed form. The data's step of 0.1 rad/s, and B linear between,
+// leaves (0.1)²/12 of B″ over B.
+TEST(RetardationMatrixIdentity, MomentumIntegralIsTheIntegralOfTheIntegral) {
+  const test::CausalShip ship;
+  const RetardationMatrix matrix(ship.coefficients(0.1, 20.0), ForwardSpeedForm::Tuck);
+  const Mat6 known = ship.rest([](const test::CausalKernel& k) { return k.E(0.0); });
+  const Mat6 total = matrix.momentumIntegral(0.0, HUGE_VAL);
+  EXPECT_LT((total - known).norm(), 2e-3 * known.norm());
+  const double a = 0.3, b = 2.5, h = (b - a) / 200;
+  Mat6 simpson = Mat6::Zero();
+  for (int i = 0; i <= 200; ++i)
+    simpson += (i == 0 || i == 200 ? 1.0
+                : i % 2 == 1       ? 4.0
+                                   : 2.0) *
+               h / 3.0 * matrix.integral(a + i * h);
+  EXPECT_LT((matrix.momentumIntegral(a, b) - simpson).norm(), 1e-7 * known.norm());
+  const Mat6 pieces = matrix.momentumIntegral(0.0, a) + matrix.momentumIntegral(a, b) +
+                      matrix.momentumIntegral(b, HUGE_VAL);
+  EXPECT_LT((pieces - total).norm(), 1e-12 * total.norm());
 }
 
 TEST(RetardationMatrix, FrequenciesThePanelsDoNotResolveAreLeftToTheTail) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -129,6 +130,32 @@ TEST(VectorFittingIdentity, ValueAtZeroIsKeptExactly) {
   }
 }
 
+/// dH/d(iω) at 0, of a real function of time real.
+double slopeAtZero(const std::vector<Complex>& residues, const std::vector<Complex>& poles) {
+  double sum = 0.0;
+  for (std::size_t m = 0; m < poles.size(); ++m)
+    sum -= (residues[m] / (poles[m] * poles[m])).real();
+  return sum;
+}
+
+// Value and slope at ω = 0 both are conditions.
+TEST(VectorFittingIdentity, SlopeAtZeroIsKeptExactlyBesideTheValue) {
+  const std::vector<double> omega = sixtyFrequencies();
+  const std::vector<Complex> poles{{-0.2, 0.0}, {-0.3, 0.9}, {-0.5, 2.1}};
+  Response r = roughResponse(omega);
+  r.holdsZero = true;
+  r.atZero = 0.5;
+  const double loose = slopeAtZero(fitResidues(omega, {r}, poles)[0], poles);
+  r.holdsSlope = true;
+  for (const double slope : {0.0, 2.0, -40.0}) {
+    r.slope = slope;
+    const auto residues = fitResidues(omega, {r}, poles)[0];
+    EXPECT_NEAR(slopeAtZero(residues, poles), slope, 1e-11);  // 1/s² = 25 magnifies round-off
+    EXPECT_NEAR(transformAtZero(residues, poles).real(), 0.5, 1e-12);
+    EXPECT_GT(std::abs(loose - slope), 1e-2);  // the condition says something
+  }
+}
+
 /// Weighted sum of squares of what residues leave of a response.
 double misfit(const std::vector<double>& omega, const Response& r,
               const std::vector<Complex>& residues, const std::vector<Complex>& poles) {
@@ -183,6 +210,34 @@ TEST(VectorFittingIdentity, NoOtherResiduesOfThatValueAtZeroFitBetter) {
       ASSERT_NEAR(transformAtZero(moved, poles).real(), 1.5, 1e-12);
       EXPECT_GT(misfit(omega, r, moved, poles), least) << m;
     }
+}
+
+// Among those of the given value and slope none fits better. Of three real poles there is one step
+// that keeps both, Σ c_m/s_m = Σ c_m/s_m² = 0.
+TEST(VectorFittingIdentity, NoOtherResiduesOfThatValueAndSlopeFitBetter) {
+  const std::vector<double> omega = sixtyFrequencies();
+  const std::vector<Complex> poles{{-0.2, 0.0}, {-0.7, 0.0}, {-1.1, 0.0}, {-1.9, 0.0}};
+  Response r = roughResponse(omega);
+  r.holdsZero = r.holdsSlope = true;
+  r.atZero = 1.5;
+  r.slope = -2.0;
+  const auto best = fitResidues(omega, {r}, poles)[0];
+  const double least = misfit(omega, r, best, poles);
+  for (std::size_t m = 0; m < 4; ++m) {
+    const std::size_t n = (m + 1) % 4, l = (m + 2) % 4;
+    const auto inverse = [&](std::size_t i) { return 1.0 / poles[i].real(); };
+    const Eigen::Vector3d x(inverse(m), inverse(n), inverse(l));
+    const Eigen::Vector3d step = x.cross(Eigen::Vector3d(x.cwiseAbs2())).normalized();
+    for (const double size : {-1e-3, 1e-3}) {
+      std::vector<Complex> moved = best;
+      moved[m] += size * step[0];
+      moved[n] += size * step[1];
+      moved[l] += size * step[2];
+      ASSERT_NEAR(transformAtZero(moved, poles).real(), 1.5, 1e-11);
+      ASSERT_NEAR(slopeAtZero(moved, poles), -2.0, 1e-11);
+      EXPECT_GT(misfit(omega, r, moved, poles), least) << m;
+    }
+  }
 }
 
 // A frequency of no weight is ignored, however wrong its value.

@@ -66,7 +66,7 @@ TEST(Allocation, NoneInATickOnceAllIsWarm) {
 // first tick nor in a ship that begins anew.
 TEST(Allocation, NoneOfOursInTheFirstTickNorInAReset) {
   btAlignedAllocSetCustom(countedForBullet, std::free);
-  for (const Mean mean : {Mean::Fixed, Mean::Filtered}) {
+  for (const Mean mean : {Mean::Fixed, Mean::Free}) {
     TestWorld world(kSphereGravity);
     btSphereShape shape(5);
     Seaway seaway(world.world, SeaState({{.omega = 1.0, .amplitude = 0.5, .heading = 2.0}},

@@ -21,7 +21,7 @@ TEST(ShipGuard, AResetShipHasTheBitsOfANewOne) {
                          .speed = 4,
                          .offset = one(Roll, 0.1) + one(Heave, 0.4),
                          .velocity = one(Sway, 0.3)};
-  for (const Mean mean : {Mean::Fixed, Mean::Filtered}) {
+  for (const Mean mean : {Mean::Fixed, Mean::Free}) {
     const ShipModel model{.mean = mean, .keepSpeed = SpeedKeeper{.speed = 5}};
     // The stand-in's waves are for a ship at rest.
     ShipStart start = moving;
@@ -45,9 +45,9 @@ TEST(ShipGuard, AResetShipHasTheBitsOfANewOne) {
 }
 
 TEST(ShipGuard, TwoEpisodesFromOnePlaceAreTheSameBits) {
-  Scene scene({.start = {.speed = 6},
-               .model = {.mean = Mean::Filtered, .keepSpeed = SpeedKeeper{.speed = 6}}},
-              {}, slenderShip());
+  Scene scene(
+      {.start = {.speed = 6}, .model = {.mean = Mean::Free, .keepSpeed = SpeedKeeper{.speed = 6}}},
+      {}, slenderShip());
   btVector3 ends[2];
   for (btVector3& end : ends) {
     scene.sphere->placeAt(0, 0, 0, one(Heave, 0.3) + one(Roll, 0.05), 6);
@@ -80,7 +80,7 @@ TEST(ShipGuard, SmallInertiasKeepTheirGyroscopicTerm) {
 
 // From the air, and upside down in a storm: whatever it does, it comes back or stays bounded.
 TEST(ShipGuard, ThrownFromAKilometreItComesToRest) {
-  for (const Mean mean : {Mean::Fixed, Mean::Filtered}) {
+  for (const Mean mean : {Mean::Fixed, Mean::Free}) {
     Scene scene({.start = {.offset = one(Heave, 1000) + one(Roll, 0.3) + one(Pitch, 0.2)},
                  .model = {.mean = mean}},
                 {}, slenderShip());
@@ -123,7 +123,7 @@ TEST(ShipGuard, CapsizedInAStormItStaysBounded) {
   const SeaState sea({{.omega = 0.6, .amplitude = 3.0, .heading = 1.6},
                       {.omega = 0.8, .amplitude = 2.0, .phase = 1.0, .heading = 1.2}},
                      kSphereGravity, 10.0);
-  for (const Mean mean : {Mean::Fixed, Mean::Filtered}) {
+  for (const Mean mean : {Mean::Fixed, Mean::Free}) {
     Scene scene({.start = {.offset = one(Roll, 2.9) + one(Pitch, 0.4)}, .model = {.mean = mean}},
                 sea, slenderShip());
     double fastest = 0.0, highest = 0.0;

@@ -27,11 +27,12 @@ ShipSettings underWay(double speed, Mean mean) {
   settings.start.heading = 0.4;
   settings.start.speed = speed;
   settings.model.mean = mean;
+  settings.model.resistance = false;  // in calm_drag_test.cpp
   return settings;
 }
 
 TEST(FreeShipIdentity, InCalmWaterItKeepsItsSpeedAndCourse) {
-  for (const Mean mean : {Mean::Fixed, Mean::Filtered}) {
+  for (const Mean mean : {Mean::Fixed, Mean::Free}) {
     Afloat scene(underWay(10.0, mean));
     scene.run(64 * 60);
     EXPECT_NEAR(scene.ship->velocity()[0], 10.0, 100 * kEpsilon);
@@ -62,7 +63,7 @@ TEST(FreeShipIdentity, RestrainedOnAMovingCourseItStaysThere) {
 // Trap of turning: a coasting hull that turns must not gain ½(A22 − A11)U². Pushed round by a
 // moment, then left alone, it never has more than when it ended.
 TEST(FreeShipIdentity, CoastingAndTurningItGainsNoEnergy) {
-  Afloat scene(underWay(8.0, Mean::Filtered));
+  Afloat scene(underWay(8.0, Mean::Free));
   for (int i = 0; i < 64 * 40; ++i) {
     scene.ship->body().applyTorque(btVector3(0, 0, 4e7));
     scene.run(1);
@@ -80,7 +81,7 @@ TEST(FreeShipIdentity, CoastingAndTurningItGainsNoEnergy) {
   EXPECT_LE(largest, start * (1.0 + 1e-4));  // 1e-4: the velocity is extrapolated to the tick
   // What the waves it made give back: ½v²(A(0) − A(∞)) of its leeway, and c(U)'s share of its yaw.
   EXPECT_LT(rise, 0.02 * start);
-  EXPECT_GT(scene.ship->velocity()[0], 2.0);
+  EXPECT_GT(std::abs(scene.ship->velocity()[0]), 1.0);  // spun round, it ends going astern
   recordResult("Plugin", withPrecision("coasting, turning hull: largest energy over the first"),
                "1", largest / start, "1.0001");
 }
@@ -88,7 +89,7 @@ TEST(FreeShipIdentity, CoastingAndTurningItGainsNoEnergy) {
 // Without anything that damps leeway or yaw the ship is broadside in no time, but comes to a
 // bounded motion.
 TEST(FreeShip, WithoutHullLiftMunksMomentTurnsHer) {
-  ShipSettings settings = underWay(8.0, Mean::Filtered);
+  ShipSettings settings = underWay(8.0, Mean::Free);
   settings.start.velocity[Yaw] = 0.002;
   settings.model.hullLift = false;
   Afloat bare(settings);
@@ -101,7 +102,7 @@ TEST(FreeShip, WithoutHullLiftMunksMomentTurnsHer) {
 }
 
 TEST(FreeShip, AutopilotsBringItToSpeedAndCourseWithinTheirLimits) {
-  ShipSettings settings = underWay(0.0, Mean::Filtered);
+  ShipSettings settings = underWay(0.0, Mean::Free);
   settings.model.keepSpeed = SpeedKeeper{.speed = 8.0};
   settings.model.keepCourse = CourseKeeper{.heading = 0.4};
   Afloat scene(settings);
@@ -125,7 +126,7 @@ TEST(FreeShip, AutopilotsBringItToSpeedAndCourseWithinTheirLimits) {
 
 // An hour of orders: no force jumps between two ticks by more than a trifle of the weight.
 TEST(FreeShip, SpeedsUpTurnsAndStopsForAnHourWithoutAJump) {
-  ShipSettings settings = underWay(5.0, Mean::Filtered);
+  ShipSettings settings = underWay(5.0, Mean::Free);
   settings.model.keepSpeed = SpeedKeeper{.speed = 5.0};
   settings.model.keepCourse = CourseKeeper{.heading = 0.4};
   const SeaState sea({{.omega = 0.7, .amplitude = 0.5, .phase = 0.3, .heading = 2.0},
@@ -160,7 +161,7 @@ TEST(FreeShip, SpeedsUpTurnsAndStopsForAnHourWithoutAJump) {
 }
 
 TEST(FreeShip, SnapshotsOfAFreeShipGiveTheSameBits) {
-  ShipSettings settings = underWay(6.0, Mean::Filtered);
+  ShipSettings settings = underWay(6.0, Mean::Free);
   settings.model.keepSpeed = SpeedKeeper{.speed = 7.0};
   settings.model.keepCourse = CourseKeeper{.heading = 1.4};
   Afloat scene(settings, waves()), twin(settings, waves());
@@ -180,8 +181,8 @@ TEST(FreeShip, SnapshotsOfAFreeShipGiveTheSameBits) {
 
 // Rollback in the midst of a collision: Bullet's warm start is forgotten at both ends.
 TEST(FreeShip, RollbackWhileTwoShipsTouchGivesTheSameBits) {
-  Afloat scene(underWay(4.0, Mean::Filtered));
-  ShipSettings other = underWay(-4.0, Mean::Filtered);
+  Afloat scene(underWay(4.0, Mean::Free));
+  ShipSettings other = underWay(-4.0, Mean::Free);
   other.start.x = 119.0 * std::cos(0.4);
   other.start.y = 119.0 * std::sin(0.4) + 2.0;
   Ship& second = scene.seaway.addShip(scene.coefficients, other);
@@ -205,7 +206,7 @@ TEST(FreeShip, RollbackWhileTwoShipsTouchGivesTheSameBits) {
 }
 
 TEST(FreeShip, BothMemoriesMoveItAlike) {
-  ShipSettings settings = underWay(6.0, Mean::Filtered);
+  ShipSettings settings = underWay(6.0, Mean::Free);
   settings.start.offset[Heave] = 1.0;
   settings.start.velocity[Yaw] = 0.01;
   Afloat fast(settings);

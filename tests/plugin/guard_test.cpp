@@ -250,6 +250,7 @@ TEST(ShipGuard, DampingOfTheBodyIsHonoured) {
   bodyOf(damped).setDamping(btScalar(0.3), 0);
   for (Scene* scene : {&free, &damped}) {
     scene->sphere->setEnabled("radiation", false);
+    scene->sphere->setEnabled("resistance", false);
     scene->sphere->resetVelocity(Vec3(2, 0, 0), Vec3::Zero());
     scene->run(64 * 4);
   }
@@ -285,7 +286,7 @@ TEST(ShipGuard, ASeaOrAWorldOfAnotherGravityIsRefused) {
 // Moves.
 
 TEST(ShipGuard, AShipThatIsSetElsewhereBeginsItsCourseThere) {
-  for (const Mean mean : {Mean::Fixed, Mean::Filtered}) {
+  for (const Mean mean : {Mean::Fixed, Mean::Free}) {
     Scene scene({.start = {.heading = 0.3, .speed = 3.0}, .model = {.mean = mean}}, {},
                 slenderShip());
     scene.run(64);
@@ -308,7 +309,7 @@ TEST(ShipGuard, AShipThatIsSetElsewhereBeginsItsCourseThere) {
 }
 
 TEST(ShipGuard, FarFromItsFixedCourseItSaysSoAndHowFar) {
-  Scene scene({}, waves(), slenderShip());
+  Scene scene({.model = {.mean = Mean::Fixed}}, waves(), slenderShip());
   scene.run(64 * 3);
   EXPECT_EQ(scene.seaway.faults(), kStepOk);
   // Pushed by hand, a few metres at a time: below what is taken for another place.

@@ -17,10 +17,12 @@ TEST(Recorder, HasARowForEveryTickWhateverTheCalls) {
   Recorder recorder(scene.seaway, *scene.sphere, {.forces = true});
   for (int i = 0; i < 3; ++i) scene.world.world.stepSimulation(4 * kTick, 4, kTick);
   ASSERT_EQ(recorder.rows(), 12u);
-  ASSERT_EQ(recorder.columns().size(), 14u + 48u);
+  ASSERT_EQ(recorder.columns().size(), 14u + 60u);
   EXPECT_EQ(recorder.columns()[14], "gravity_F1");
   EXPECT_EQ(recorder.columns()[55], "supplementary_F6");
   EXPECT_EQ(recorder.columns()[61], "autopilots_F6");
+  EXPECT_EQ(recorder.columns()[67], "hull_lift_F6");
+  EXPECT_EQ(recorder.columns()[73], "resistance_F6");
   for (std::size_t row = 0; row < 12; ++row) EXPECT_EQ(recorder.at(row, 0), double(row) / 64);
   EXPECT_EQ(recorder.at(0, 1), 3.0);
   EXPECT_NEAR(recorder.at(0, 3), -1.0, kEpsilon);  // z of G, 2 m below calm water at rest

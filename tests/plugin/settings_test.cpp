@@ -32,7 +32,6 @@ std::vector<Field> fields() {
       {"start.y", [](auto& s) -> double& { return s.start.y; }, -1e12},
       {"start.heading", [](auto& s) -> double& { return s.start.heading; }, 1e9},
       {"start.speed", [](auto& s) -> double& { return s.start.speed; }, 1e6},
-      {"model.followTime", [](auto& s) -> double& { return s.model.followTime; }, 1e-9},
       {"SpeedKeeper::speed", [](auto& s) -> double& { return speedKeeper(s).speed; }, -1e6},
       {"SpeedKeeper::maxThrust", [](auto& s) -> double& { return speedKeeper(s).maxThrust; }, -1.0},
       {"SpeedKeeper::rate", [](auto& s) -> double& { return speedKeeper(s).rate; }, 0.0},
@@ -135,7 +134,7 @@ TEST(ShipSettings, OrdersAndPlacesAreCheckedLater) {
 // What addShip says of settings with a body of the user's: the model acts, of the start only the
 // speed of a fixed course, and of the shape nothing.
 TEST(ShipSettings, OfABodyOfTheUsersTheModelIsUsed) {
-  for (const Mean mean : {Mean::Fixed, Mean::Filtered}) {
+  for (const Mean mean : {Mean::Fixed, Mean::Free}) {
     TestWorld plain(kSphereGravity);
     Seaway seaway(plain.world);
     btSphereShape own(5), other(3);

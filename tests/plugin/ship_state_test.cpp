@@ -61,8 +61,9 @@ TEST(Ship, RestrainedModesStayAndTheOthersDoNotNotice) {
   const SeaState sea({{.omega = 1.0, .amplitude = 0.5, .heading = 2.5}}, kSphereGravity, 2.0);
   std::array<bool, 6> held{};
   held[Surge] = held[Yaw] = true;
-  Scene free({.start = {.x = 3, .heading = 0.2}}, sea),
-      tied({.start = {.x = 3, .heading = 0.2}, .model = {.restrained = held}}, sea);
+  const ShipStart start{.x = 3, .heading = 0.2};
+  Scene free({.start = start, .model = {.mean = Mean::Fixed}}, sea),
+      tied({.start = start, .model = {.mean = Mean::Fixed, .restrained = held}}, sea);
   double surge = 0.0, heave = 0.0;
   for (int i = 0; i < 640; ++i) {
     free.run(1);

@@ -62,7 +62,7 @@ ShipSettings settingsOf(Mean mean, MemoryModel memory) {
 }
 
 TEST(SnapshotBytesIdentity, AnotherWorldGoesOnWithTheSameBits) {
-  for (const Mean mean : {Mean::Fixed, Mean::Filtered}) {
+  for (const Mean mean : {Mean::Fixed, Mean::Free}) {
     for (const MemoryModel memory : {MemoryModel::Exponential, MemoryModel::Convolution}) {
       const ShipSettings settings = settingsOf(mean, memory);
       Scene scene(settings, waves(), slenderShip());

@@ -22,9 +22,12 @@ std::uint32_t faultsOf(const Coefficients& coefficients, ShipModel model, double
 }
 
 TEST(SpeedOutsideTheory, IsAFaultBitOfTheTick) {
-  EXPECT_EQ(faultsOf(slenderShip(), {}, 8.0), kStepOk);
-  EXPECT_EQ(faultsOf(pushedShip(), {}, 8.0), kSpeedOutsideTheory);
-  EXPECT_EQ(faultsOf(pushedShip(), {}, 0.0), kSpeedOutsideTheory);  // it grows at rest as well
+  for (const Mean mean : {Mean::Fixed, Mean::Free}) {
+    EXPECT_EQ(faultsOf(slenderShip(), {.mean = mean}, 8.0), kStepOk);
+    EXPECT_EQ(faultsOf(pushedShip(), {.mean = mean}, 8.0), kSpeedOutsideTheory);
+    // It grows at rest as well.
+    EXPECT_EQ(faultsOf(pushedShip(), {.mean = mean}, 0.0), kSpeedOutsideTheory);
+  }
 }
 
 TEST(SpeedOutsideTheory, AModeThatIsHeldDoesNotGrow) {

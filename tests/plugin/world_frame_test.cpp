@@ -20,7 +20,7 @@ struct Measured {
       settings.start.y = 200.0 * i;
       settings.start.heading = 0.6 + 0.1 * i;
       settings.start.speed = 4.0;
-      settings.model.mean = i % 2 == 0 ? Mean::Filtered : Mean::Fixed;
+      settings.model.mean = i % 2 == 0 ? Mean::Free : Mean::Fixed;
       if (i % 2 == 1) settings.start.speed = 0.0;
       settings.start.offset[Roll] = 0.1;
       settings.model.keepCourse = CourseKeeper{.heading = 1.0};
@@ -98,7 +98,7 @@ TEST(Seaway, ShipsComeAndGoWhileItRuns) {
   ShipSettings late;
   late.start.x = -500.0;
   late.start.speed = 5.0;
-  late.model.mean = Mean::Filtered;
+  late.model.mean = Mean::Free;
   Ship& newcomer = scene.seaway.addShip(scene.coefficients, late);
   scene.run(50);
   EXPECT_EQ(scene.seaway.faults(), kStepOk);

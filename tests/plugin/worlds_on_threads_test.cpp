@@ -27,7 +27,7 @@ std::vector<std::byte> sail(std::size_t i, const std::shared_ptr<const Hydrodyna
   const bool follows = i % 2 == 1;  // at speed: for a fixed course the ship lacks diffraction
   settings.start.speed = follows ? 3.0 + 0.5 * static_cast<double>(i) : 0.0;
   settings.start.heading = 0.3 * static_cast<double>(i);
-  settings.model.mean = follows ? Mean::Filtered : Mean::Fixed;
+  settings.model.mean = follows ? Mean::Free : Mean::Fixed;
   settings.model.memory = i < 2 ? MemoryModel::Exponential : MemoryModel::Convolution;
   Ship& first = seaway.addShip(ship, settings);
   run(20);

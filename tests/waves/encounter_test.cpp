@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace cutwater {
 namespace {
 
@@ -33,6 +35,17 @@ TEST(EncounterClosedForm, FrequencyHasTheSignOfTheMeeting) {
   EXPECT_EQ(Encounter(1.0, kStandStill, 0.0, kG).frequency(), 0.0);
   const AiryWave wave{2.5, 0.3, kG};
   EXPECT_EQ(Encounter(wave, 5.0).signedFrequency(), Encounter(2.5, 5.0, 0.3, kG).signedFrequency());
+}
+
+// ω′ = ω − k(U cos β − V sin β): waves travel towards (cos β, −sin β), leeway is to port, so that a
+// beam sea from port (β = 90°, travelling to starboard) is met the oftener.
+TEST(EncounterClosedForm, LeewayIsWayTowardsTheWavesToo) {
+  EXPECT_DOUBLE_EQ(Encounter(1.0, 0.0, 0.5, kPi / 2, kG).signedFrequency(), 1.0 + 0.5 / kG);
+  const double beta = 0.7, along = 5.0 * std::cos(beta) - 0.5 * std::sin(beta);
+  EXPECT_NEAR(Encounter(0.9, 5.0, 0.5, beta, kG).signedFrequency(), 0.9 - 0.81 / kG * along, 1e-15);
+  EXPECT_EQ(Encounter(0.9, 5.0, 0.0, beta, kG).signedFrequency(),
+            Encounter(0.9, 5.0, beta, kG).signedFrequency());
+  EXPECT_EQ(Encounter(0.9, 5.0, 0.5, beta, kG).speed(), 5.0);
 }
 
 // Re{a e^{iω′t}} is the same motion in time, and twice conjugated is as before.
