@@ -44,6 +44,14 @@ void checkModel(const ShipModel& model, const char* function) {
   check.within("mean", static_cast<int>(model.mean), 0, static_cast<int>(Mean::Free));
   check.within("memory", static_cast<int>(model.memory), 0,
                static_cast<int>(MemoryModel::Convolution));
+  if (model.engine) requireUsable(*model.engine, function);
+  if (model.rudder) requireUsable(*model.rudder, function);
+  if (model.mean == Mean::Fixed && (model.engine || model.rudder)) {
+    throw HydroError(Fault::BadArgument,
+                     std::string(function) + ": model." + (model.engine ? "engine" : "rudder") +
+                         ": a ship on a fixed course has none; leave it out, or give model.mean = "
+                         "Mean::Free");
+  }
   if (model.keepSpeed) checkOrder(*model.keepSpeed, function);
   if (model.keepCourse) checkOrder(*model.keepCourse, function);
 }

@@ -17,9 +17,11 @@ class Autopilots;
 class FreeRadiation;
 class Hydrodynamics;
 class PredictedMotion;
+class Resistance;
 class SeaTables;
 struct Coefficients;
 struct CourseForces;
+struct Helm;
 }  // namespace cutwater
 
 CUTWATER_PLUGIN_BEGIN
@@ -97,6 +99,7 @@ Vec3 motionAngles(const Mat3& rotation) noexcept;
 ///     autopilots      SpeedKeeper and CourseKeeper
 ///     hull_lift       Mean::Free only
 ///     resistance      of the hull in calm water, Mean::Free only
+///     engine, rudder  of a free ship that has them (setThrottle, setRudder)
 /// and then those of addForce(). gravity + restoring = −C η.
 ///
 /// First-order forces act in H; moments, and A∞, in upright axes with the ship's own heading (R_z
@@ -205,6 +208,15 @@ class Ship {
   void stopKeepingSpeed() noexcept;
   void stopKeepingCourse() noexcept;
 
+  // Engine and rudder: of a free ship whose ship.toml has [engine] and [rudder], or that was given
+  // ShipModel::engine and rudder. Autopilots steer by them then; an order of yours ends theirs.
+  // @throws HydroError BadArgument: the ship has none; ValueOutOfRange: a value that is not finite.
+  /// Thrust as a share of the engine's full one, −1 full astern .. 1 full ahead; beyond is full.
+  void setThrottle(double order);
+  /// Angle [rad] to which the rudder turns at its rate, held to its limit. Positive turns the bow
+  /// to port under way ahead.
+  void setRudder(double angle);
+
   /// Sets the velocity [m/s, rad/s] in E. body().setLinearVelocity() would be taken for a blow,
   /// which M + A∞ resists; this is not. The memory of radiated waves stays; a filtered course takes
   /// the new velocity at once.
@@ -282,6 +294,8 @@ class Ship {
   void requireCourse(Mean mean, double speed) const;
   void takeOver();
   void makeParts(const ShipSettings& settings);
+  void makeDrive(const ShipModel& model);
+  Helm& helmFor(const char* order, const char* part, double value) const;
   void addPart(ShipPart part);
   void switchOff(const std::vector<std::string>& parts);
   void saveParts(Snapshot& snapshot) const;
@@ -361,6 +375,8 @@ class Ship {
   std::vector<ShipPart> parts_;
   std::size_t gravityPart_ = kNone, addedMassPart_ = kNone;  // Bullet's own: their places in parts_
   Autopilots* autopilots_ = nullptr;                         // one of the parts
+  const Resistance* resistance_ = nullptr;                   // one of the parts, or null
+  std::shared_ptr<Helm> helm_;                               // null: neither engine nor rudder
   double preparedFor_ = 0.0;  // length of tick the parts were made for; 0: none
   std::uint64_t partsKey_ = 0;
   bool measuring_ = false;

@@ -1,12 +1,15 @@
 // The list of a ship's parts: making it, changing it, asking it.
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include "hydro/Errors.h"
 #include "hydro/base/Fnv1a.h"
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/forces/PredictedMotion.h"
 #include "hydro/forces/SeaTables.h"
+#include "hydro/forces/appendages/Engine.h"
+#include "hydro/forces/appendages/Rudder.h"
 #include "hydro/forces/linear/Autopilots.h"
 #include "hydro/forces/linear/FreeRadiation.h"
 #include "hydro/forces/linear/FreeWaveForce.h"
@@ -66,9 +69,30 @@ void Ship::makeParts(const ShipSettings& settings) {
   autopilots_ = autopilots.get();
   added(std::move(autopilots));
   if (free() && settings.model.hullLift) added(std::make_unique<HullLift>(predicted_));
-  if (free() && settings.model.resistance) added(std::make_unique<Resistance>(c.ship));
+  if (free() && settings.model.resistance) {
+    auto resistance = std::make_unique<Resistance>(c.ship);
+    resistance_ = resistance.get();
+    added(std::move(resistance));
+  }
+  if (free()) makeDrive(settings.model);
   if (settings.model.keepSpeed) keepSpeed(*settings.model.keepSpeed);
   if (settings.model.keepCourse) keepCourse(*settings.model.keepCourse);
+}
+
+// Only where ship.toml, the database or the settings give one.
+void Ship::makeDrive(const ShipModel& model) {
+  const ShipParticulars& ship = coefficients().ship;
+  const auto& engine = model.engine ? model.engine : ship.engine;
+  const auto& rudder = model.rudder ? model.rudder : ship.rudder;
+  if (!engine && !rudder) return;
+  helm_ = std::make_shared<Helm>();
+  if (engine) {
+    const double resistance = -Resistance(ship).alongHull(Engine::hullSpeed(ship));
+    addPart(
+        {.name = "engine", .force = std::make_unique<Engine>(ship, *engine, resistance, helm_)});
+  }
+  if (rudder) addPart({.name = "rudder", .force = std::make_unique<Rudder>(ship, *rudder, helm_)});
+  autopilots_->steerBy(helm_);
 }
 
 void Ship::addPart(ShipPart part) {
@@ -208,12 +232,38 @@ std::vector<double> Ship::costs() const {
 
 void Ship::keepSpeed(const SpeedKeeper& order) {
   checkOrder(order, "Ship::keepSpeed");
-  autopilots_->hold(order);
+  autopilots_->hold(order, resistance_ != nullptr ? -resistance_->alongHull(order.speed) : 0.0);
 }
 void Ship::keepCourse(const CourseKeeper& order) {
   checkOrder(order, "Ship::keepCourse");
   autopilots_->hold(order);
 }
+Helm& Ship::helmFor(const char* order, const char* part, double value) const {
+  if (!std::isfinite(value))
+    throw HydroError(Fault::ValueOutOfRange,
+                     std::string(order) + ": " + std::to_string(value) + " is no order");
+  if (!free())
+    refuse(std::string(order) + ": a ship on a fixed course has no " + part +
+           "; give it ShipModel::mean = Mean::Free");
+  const bool has = helm_ && (std::string_view(part) == "engine" ? helm_->engine : helm_->rudder);
+  if (!has)
+    refuse(std::string(order) + ": this ship has no " + part + "; give ShipModel::" + part +
+           ", or [" + part + "] in its ship.toml and solve");
+  return *helm_;
+}
+
+void Ship::setThrottle(double order) {
+  Helm& helm = helmFor("Ship::setThrottle", "engine", order);
+  autopilots_->releaseSpeed();
+  helm.throttle = std::clamp(order, -1.0, 1.0);
+}
+
+void Ship::setRudder(double angle) {
+  Helm& helm = helmFor("Ship::setRudder", "rudder", angle);
+  autopilots_->releaseCourse();
+  helm.angle = std::clamp(angle, -helm.rudderLimit, helm.rudderLimit);
+}
+
 void Ship::stopKeepingSpeed() noexcept { autopilots_->releaseSpeed(); }
 void Ship::stopKeepingCourse() noexcept { autopilots_->releaseCourse(); }
 

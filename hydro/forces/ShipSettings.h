@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hydro/Conventions.h"
+#include "hydro/ship/ShipParticulars.h"
 
 /// Where a ship starts and what acts on it: plain data, known to run files as to programs.
 namespace cutwater {
@@ -30,17 +31,19 @@ struct ShipStart {
   Vec6 velocity = Vec6::Zero();  ///< beside U: u, v, w [m/s], p, q, r [rad/s] in B
 };
 
-/// Holds a speed by a thrust in G along the bow:
-///     T = m'(2ν e + ν² ∫e dt),   e = speed wanted − speed now,   m' = m + A_11(∞),   |T| ≤ limit
-/// A free ship's speed is that of its slow motion, without the surge in waves. On a fixed course
-/// surge at wave frequency ω ≫ ν is damped by 2ν/ω of the ship's inertia.
+/// Holds a speed by a thrust in G along the bow, or, of a ship that has an engine, by its throttle:
+///     T = R + m'(2ν e + ν² ∫e dt),   e = speed wanted − speed now,   m' = m + A_11(∞)
+/// held to the limit. R is the calm-water resistance of a free ship at the speed wanted
+/// (Resistance.h). A free ship's speed is that of its slow motion, without the surge in waves. On a
+/// fixed course surge at wave frequency ω ≫ ν is damped by 2ν/ω of the ship's inertia.
 struct SpeedKeeper {
   double speed = 0.0;      ///< wanted [m/s]
   double maxThrust = 0.0;  ///< [N], ahead and astern; 0: 3 % of the ship's weight
   double rate = 0.02;      ///< ν [1/s]
 };
 
-/// Holds a heading by a moment about G:
+/// Holds a heading by a moment about G, or, of a ship that has a rudder, by the rudder angle that
+/// would make that moment, δ = N / (dN/dδ), with dN/dδ at least I'ν²:
 ///     N = k e − 2√(k I') r,   e = heading wanted − heading now,   I' = I_66 + A_66(∞),
 ///     k = I'ν² + U² A_22(∞),   |N| ≤ limit
 /// The last term of k acts against the Munk moment that turns a hull without rudder broadside on. A
@@ -56,7 +59,11 @@ struct ShipModel {
   Mean mean = Mean::Free;
   MemoryModel memory = MemoryModel::Exponential;
   bool hullLift = true;    ///< HullLift.h, Mean::Free only
-  bool resistance = true;  ///< what slows it in calm water (Resistance.h), Mean::Free only
+  bool resistance = true;  ///< calm-water drag (Resistance.h), Mean::Free only
+  /// In place of the database's, or where it has none; Mean::Free only. EngineParticulars{} and
+  /// RudderParticulars{} suffice: the rest follows from the hull.
+  std::optional<EngineParticulars> engine{};
+  std::optional<RudderParticulars> rudder{};
   std::array<bool, 6> restrained{};  ///< modes held on the mean course, each by a row of the solver
   std::optional<SpeedKeeper> keepSpeed{};
   std::optional<CourseKeeper> keepCourse{};

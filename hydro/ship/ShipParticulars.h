@@ -30,7 +30,8 @@ struct HullDrag {
   double formFactor = 0.2;
 };
 
-/// An engine with its propellers, taken as one. What is absent follows from the hull.
+/// An engine with its propellers, taken as one (forces/appendages/Engine.h has the formulas, and
+/// what follows from the hull where a value is absent). EngineParticulars{} suffices to sail.
 struct EngineParticulars {
   std::optional<double> maxThrust = {};      ///< ahead, with the ship at rest [N]
   double astern = 0.5;                       ///< greatest thrust astern, as a share of that
@@ -40,7 +41,7 @@ struct EngineParticulars {
   std::optional<Vec3> place = {};            ///< of the thrust, in hull axes [m]
 };
 
-/// A rudder, or several taken as one. What is absent follows from the hull.
+/// A rudder, or several taken as one (forces/appendages/Rudder.h). RudderParticulars{} suffices.
 struct RudderParticulars {
   std::optional<double> area = {};  ///< of the blade [m²]
   std::optional<Vec3> place = {};   ///< of the force, in hull axes [m]

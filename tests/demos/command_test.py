@@ -699,6 +699,21 @@ class Values(Files):
             ship = self.path("s.toml", SHIP + f"[solve]\nomega = {omega}\n")
             self.refused(["hydrostatics", ship], "s.toml: [solve.omega]", *words)
 
+    def test_a_drag_engine_or_rudder_that_no_ship_has_is_refused(self):
+        for text, words in (
+                ("[resistance]\ncross_flow_drag = -1.0\n", ["[resistance] cross_flow_drag = -1"]),
+                ("[engine]\nastern = 2.0\n", ["[engine] astern = 2", "0..1"]),
+                ("[engine]\nmax_thrust = \"lots\"\n", ["[engine] max_thrust", "auto"]),
+                ("[engine]\npower = 1.0\n", ["[engine] power", "unknown key"]),
+                ("[engine]\nplace = 3.0\n", ["[engine] place"]),
+                ("[rudder]\nlimit_deg = 120.0\n", ["[rudder] limit_deg = 120", "90"]),
+                ("[rudder]\nrate_deg = 0.0\n", ["[rudder] rate_deg = 0"])):
+            self.refused(["hydrostatics", self.path("s.toml", SHIP + text)], "s.toml: ", *words)
+        for text in ("[engine]\n[rudder]\n", "[engine]\nplace = [-50.0, 0.0, -3.0]\n",
+                     "[rudder]\narea = \"auto\"\nplace = \"auto\"\nrate_deg = 2.5\n"):
+            done = call("hydrostatics", self.path("s.toml", SHIP + text))
+            self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_control_characters_and_long_values_are_not_echoed(self):
         long = "x" * 5000
         for text in (SHIP + f'[water]\ndensity = "\\u001b[31m\\u0007{long}"\n',

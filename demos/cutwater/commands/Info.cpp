@@ -74,6 +74,10 @@ void listShip(Csv& csv, const ShipParticulars& ship) {
     }
   }
   number("roll_damping_quadratic", ship.supplementary.rollDampingQuadratic, "N m/(rad/s)^2");
+  number("cross_flow_drag", ship.drag.crossFlow, "");
+  number("form_factor", ship.drag.formFactor, "");
+  list(csv, "engine", ship.engine ? "1" : "0", "");
+  list(csv, "rudder", ship.rudder ? "1" : "0", "");
 }
 
 // Largest distance of A(∞) of the ω = ∞ problem itself from the one in use, in % of √(A_jj A_kk).

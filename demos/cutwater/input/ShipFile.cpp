@@ -52,6 +52,24 @@ void readSupplementary(TomlSection section, Supplementary& terms) {
 
 constexpr double kAny = 1e18;  // requireUsable() has the bounds
 
+// "auto", as is what is absent, or a number.
+std::optional<double> automatic(TomlSection& section, const std::string& key) {
+  if (section.isText(key)) section.text(key, "auto", {"auto"});
+  if (!section.isNumber(key)) return std::nullopt;
+  return section.number(key, 0.0, -kAny, kAny);
+}
+
+// The same of a place in hull axes.
+std::optional<Vec3> automaticPlace(TomlSection& section) {
+  const std::string key = "place";
+  if (section.isText(key)) {
+    section.text(key, "auto", {"auto"});
+    return std::nullopt;
+  }
+  if (!section.has(key)) return std::nullopt;
+  return section.vector(key, Vec3::Zero());
+}
+
 HullDrag readResistance(TomlSection section, const std::string& path) {
   HullDrag drag;
   drag.crossFlow = section.number("cross_flow_drag", drag.crossFlow, -kAny, kAny);
@@ -59,6 +77,39 @@ HullDrag readResistance(TomlSection section, const std::string& path) {
   section.finish();
   requireUsable(drag, path);
   return drag;
+}
+
+EngineParticulars readEngine(TomlSection section, const std::string& path) {
+  EngineParticulars engine;
+  engine.maxThrust = automatic(section, "max_thrust");
+  engine.astern = section.number("astern", engine.astern, -kAny, kAny);
+  engine.noThrustSpeed = automatic(section, "no_thrust_speed");
+  engine.timeConstant = automatic(section, "time_constant");
+  engine.diameter = automatic(section, "diameter");
+  engine.place = automaticPlace(section);
+  section.finish();
+  requireUsable(engine, path);
+  return engine;
+}
+
+RudderParticulars readRudder(TomlSection section, const std::string& path) {
+  RudderParticulars rudder;
+  const auto degrees = [&section](const std::string& key, double fallback) {
+    return kDegree * section.number(key, fallback / kDegree, -kAny, kAny);
+  };
+  rudder.area = automatic(section, "area");
+  rudder.place = automaticPlace(section);
+  rudder.aspectRatio = section.number("aspect_ratio", rudder.aspectRatio, -kAny, kAny);
+  rudder.limit = degrees("limit_deg", rudder.limit);
+  rudder.rate = automatic(section, "rate_deg");
+  if (rudder.rate) *rudder.rate *= kDegree;
+  rudder.stall = degrees("stall_deg", rudder.stall);
+  rudder.slipstream = section.number("slipstream", rudder.slipstream, -kAny, kAny);
+  rudder.flowStraightening =
+      section.number("flow_straightening", rudder.flowStraightening, -kAny, kAny);
+  section.finish();
+  requireUsable(rudder, path);
+  return rudder;
 }
 
 // Frequencies as given, increasing and above 0.
@@ -222,6 +273,8 @@ ShipFile readShipFile(const std::string& path) {
   ship.particulars = std::move(floating.ship);
   ship.hydrostatics = floating.hydrostatics;
   ship.particulars.drag = readResistance(file.section("resistance"), path);
+  if (file.root().has("engine")) ship.particulars.engine = readEngine(file.section("engine"), path);
+  if (file.root().has("rudder")) ship.particulars.rudder = readRudder(file.section("rudder"), path);
   ship.particulars.name = std::filesystem::absolute(path).parent_path().filename().string();
   readSolve(file.section("solve"), ship.particulars, ship.solve);
   file.root().finish();

@@ -32,11 +32,13 @@ Autopilots::Autopilots(const ShipParticulars& ship, const Mat6& addedMassInf, do
   check(length > 0.0, "length", length);
 }
 
-void Autopilots::hold(const SpeedKeeper& speed) {
+void Autopilots::hold(const SpeedKeeper& speed, double drag) {
   check(true, "speed", speed.speed);
+  check(true, "drag", drag);
   check(speed.maxThrust >= 0.0, "max thrust", speed.maxThrust);
   check(speed.rate > 0.0, "rate", speed.rate);
   speed_ = speed;
+  drag_ = drag;
   if (speed_.maxThrust == 0.0) speed_.maxThrust = kThrustOfWeight * weight_;
   if (!holdsSpeed_) integral_ = 0.0;
   holdsSpeed_ = true;
@@ -56,11 +58,35 @@ double Autopilots::thrust(double speedNow, double lastStep) noexcept {
   const double step = running_ ? lastStep : 0.0;
   const double next = integral_ + step * error;
   const double nu = speed_.rate;
-  const double wanted = massSurge_ * nu * (2.0 * error + nu * next);
-  const double given = std::clamp(wanted, -speed_.maxThrust, speed_.maxThrust);
+  const double wanted = drag_ + massSurge_ * nu * (2.0 * error + nu * next);
+  double ahead = speed_.maxThrust, astern = speed_.maxThrust;
+  if (ordersEngine()) {
+    ahead = std::min(ahead, helm_->fullThrust(false, speedNow));
+    astern = std::min(astern, helm_->fullThrust(true, speedNow));
+  }
+  const double given = std::clamp(wanted, -astern, ahead);
   // At the limit the integral only moves back from it.
   if (given == wanted || std::abs(next) < std::abs(integral_)) integral_ = next;
   return given;
+}
+
+double Autopilots::moment(double error, double rate, double speed) const noexcept {
+  const double stiffness = inertia_ * course_.rate * course_.rate + addedSway_ * speed * speed;
+  return std::clamp(stiffness * error - 2.0 * std::sqrt(stiffness * inertia_) * rate,
+                    -course_.maxMoment, course_.maxMoment);
+}
+
+void Autopilots::orderEngine(double thrust, double speed) noexcept {
+  const double most = helm_->fullThrust(thrust < 0.0, speed);
+  helm_->throttle = most > 0.0 ? thrust / most : 0.0;
+}
+
+// A rudder that the water hardly meets is not turned the more for it: a radian of helm for a radian
+// of error at most. Astern it is turned the other way.
+void Autopilots::orderRudder(double moment) noexcept {
+  const double bite = helm_->momentPerAngle, least = inertia_ * course_.rate * course_.rate;
+  const double square = std::max(bite * bite, least * least);
+  helm_->angle = std::clamp(moment * bite / square, -helm_->rudderLimit, helm_->rudderLimit);
 }
 
 Wrench Autopilots::evaluate(const TickInput& now) noexcept {
@@ -68,16 +94,22 @@ Wrench Autopilots::evaluate(const TickInput& now) noexcept {
   const double yaw = free_ ? 0.0 : now.eta[Yaw];  // from the heading that is kept
   if (holdsSpeed_) {
     const double pull = thrust(now.speed + (free_ ? 0.0 : now.etaDotNow[Surge]), now.lastStep);
-    force[Surge] += pull * std::cos(yaw);
-    force[Sway] += pull * std::sin(yaw);
+    if (ordersEngine()) {
+      orderEngine(pull, now.speed);
+    } else {
+      force[Surge] += pull * std::cos(yaw);
+      force[Sway] += pull * std::sin(yaw);
+    }
   }
   if (holdsCourse_) {
     const double error = std::remainder(course_.heading - now.meanHeading - yaw, 2.0 * kPi);
     const double rate = now.turnRate + (free_ ? 0.0 : now.etaDotNow[Yaw]);
-    const double stiffness =
-        inertia_ * course_.rate * course_.rate + addedSway_ * now.speed * now.speed;
-    force[Yaw] = std::clamp(stiffness * error - 2.0 * std::sqrt(stiffness * inertia_) * rate,
-                            -course_.maxMoment, course_.maxMoment);
+    const double turning = moment(error, rate, now.speed);
+    if (ordersRudder()) {
+      orderRudder(turning);
+    } else {
+      force[Yaw] = turning;
+    }
   }
   running_ = true;
   return {force};
@@ -98,7 +130,8 @@ void Autopilots::save(std::span<double> state) const noexcept {
                                                holdsSpeed_ ? 1.0 : 0.0,
                                                holdsCourse_ ? 1.0 : 0.0,
                                                integral_,
-                                               running_ ? 1.0 : 0.0};
+                                               running_ ? 1.0 : 0.0,
+                                               drag_};
   std::copy(numbers.begin(), numbers.end(), state.begin());
 }
 
@@ -109,6 +142,7 @@ void Autopilots::restore(std::span<const double> state) noexcept {
   holdsCourse_ = state[7] != 0.0;
   integral_ = state[8];
   running_ = state[9] != 0.0;
+  drag_ = state[10];
 }
 
 }  // namespace cutwater

@@ -1,15 +1,18 @@
 #pragma once
+#include <memory>
+
 #include "hydro/forces/ForceGenerator.h"
+#include "hydro/forces/Helm.h"
 #include "hydro/forces/ShipSettings.h"
 
 namespace cutwater {
 
 struct ShipParticulars;
 
-/// Two simple autopilots, so that a ship can be steered without a propulsion model: one holds a
-/// speed (SpeedKeeper), one a heading (CourseKeeper). Proportional-integral and
-/// proportional-differential rules, with the limits that a ship has. A simulator with models of its
-/// own leaves both off.
+/// Two simple autopilots: one holds a speed (SpeedKeeper), one a heading (CourseKeeper).
+/// Proportional-integral and proportional-differential rules, with the limits that a ship has. They
+/// order the engine and the rudder of a ship that has them (Helm.h); others they push themselves. A
+/// simulator with models of its own leaves both off.
 class Autopilots final : public ForceGenerator {
  public:
   /// @param addedMassInf A(∞) [kg, kg·m, kg·m²].  @param length of the ship [m] > 0.
@@ -17,9 +20,13 @@ class Autopilots final : public ForceGenerator {
   Autopilots(const ShipParticulars& ship, const Mat6& addedMassInf, double length,
              bool free = false);
 
+  /// @param drag  that the ship is expected to have at that speed [N], negative astern: thrust to
+  ///   begin with.
   /// @throws HydroError ValueOutOfRange: a value that is not finite, a negative limit or rate.
-  void hold(const SpeedKeeper& speed);
+  void hold(const SpeedKeeper& speed, double drag = 0.0);
   void hold(const CourseKeeper& course);
+  /// From now on they order the ship's engine and rudder, where it has them, and push it no more.
+  void steerBy(std::shared_ptr<Helm> helm) noexcept { helm_ = std::move(helm); }
   void releaseSpeed() noexcept { holdsSpeed_ = false; }
   void releaseCourse() noexcept { holdsCourse_ = false; }
   bool holdsSpeed() const noexcept { return holdsSpeed_; }
@@ -39,15 +46,21 @@ class Autopilots final : public ForceGenerator {
   void restore(std::span<const double> state) noexcept override;
 
  private:
-  static constexpr std::size_t kStateSize = 10;
+  static constexpr std::size_t kStateSize = 11;
   double thrust(double speedNow, double lastStep) noexcept;
+  double moment(double error, double rate, double speed) const noexcept;
+  bool ordersEngine() const noexcept { return helm_ && helm_->engine; }
+  bool ordersRudder() const noexcept { return helm_ && helm_->rudder; }
+  void orderEngine(double thrust, double speed) noexcept;
+  void orderRudder(double moment) noexcept;
 
   double massSurge_, inertia_, addedSway_, weight_, length_;
   bool free_;
+  std::shared_ptr<Helm> helm_;
   SpeedKeeper speed_;
   CourseKeeper course_;
   bool holdsSpeed_ = false, holdsCourse_ = false;
-  double integral_ = 0.0;
+  double integral_ = 0.0, drag_ = 0.0;
   bool running_ = false;
 };
 
