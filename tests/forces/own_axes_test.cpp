@@ -32,8 +32,8 @@ TEST(OwnAxesClosedForm, FollowHeadingAndPitch) {
   EXPECT_LT((own * own.transpose() - Mat3::Identity()).norm(), kRound);
 }
 
-// R pitches whole with the ship to 30°, beyond that ever less, without a jump of angle or slope, and
-// never beyond 75°.
+// R pitches whole with the ship to 30°, beyond that ever less, without a jump of angle or slope,
+// and never beyond 75°.
 TEST(OwnAxes, NeverStandOnEnd) {
   const auto pitchOf = [](double theta) { return std::asin(-ownAxes(0.4, theta)(2, 0)); };
   constexpr double kStep = 1e-3;
