@@ -226,9 +226,10 @@ Vec6 AddedMassConstraint::carriedInto(const TurningAxes& now) const noexcept {
     result << turn * momentum.head<3>(), turn * momentum.tail<3>();
     return result;
   };
-  return turned(frame_,
-                carried(turned(frame_.transpose(), then), inEarth(pastAxes_.linear),
-                        inEarth(pastAxes_.angular), inEarth(now.linear), inEarth(now.angular)));
+  const Vec6 still = turned(
+      frame_, carried(turned(frame_.transpose(), then), inEarth(pastAxes_.linear),
+                      inEarth(pastAxes_.angular), inEarth(now.linear), inEarth(now.angular)));
+  return share_ * still + (1.0 - share_) * then;
 }
 
 Vec6 AddedMassConstraint::momentum() const noexcept {

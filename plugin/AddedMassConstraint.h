@@ -55,9 +55,12 @@ class AddedMassConstraint : public btTypedConstraint {
   /// From now on the axes of A∞ are these, not the body's. Call before forgetPast() at the start
   /// and before each tick in which they have changed.
   /// @param frame  of the world: v_W = frame v_E, z of E up.
-  void follow(const TurningAxes& axes, const Mat3& frame) noexcept {
+  /// @param share  of the momentum that stands still when they turn, 1 in the theory; the rest
+  ///        turns with them (TurningLimits of hydro/forces/OwnAxes.h).
+  void follow(const TurningAxes& axes, const Mat3& frame, double share = 1.0) noexcept {
     followed_ = axes;
     frame_ = frame;
+    share_ = share;
     follows_ = true;
   }
   /// V [units/s] in the world's axes. Without it V = 0.
@@ -122,6 +125,7 @@ class AddedMassConstraint : public btTypedConstraint {
   TurningAxes solved_;          // of the solve under way
   TurningAxes followed_;        // the caller's
   Mat3 frame_ = Mat3::Identity();
+  double share_ = 1.0;
   bool follows_ = false, active_ = true;
   Vec3 mean_ = Vec3::Zero();  // V in W
   btJointFeedback feedback_;

@@ -8,6 +8,7 @@
 
 #include "hydro/Errors.h"
 #include "hydro/forces/Hydrodynamics.h"
+#include "hydro/forces/OwnAxes.h"
 #include "hydro/forces/PredictedMotion.h"
 #include "hydro/forces/SeaTables.h"
 #include "plugin/Rig.h"
@@ -31,6 +32,7 @@ Ship::Ship(btDiscreteDynamicsWorld& world, const WorldFrame& frame,
       rig_(std::make_unique<Rig>(*this)),
       ownBody_(own == nullptr),
       restrained_(settings.model.restrained),
+      fastest_(hydrodynamics().fastest()),
       phasors_(tables_->sea().phasorBlocks()) {
   const ShipStart& start = settings.start;
   requireCourse(settings.model.mean, start.speed);
@@ -105,13 +107,15 @@ void Ship::takeOver() {
   worldGravity_ = world_.getGravity();
 }
 
+TurningLimits Ship::turningLimits() const noexcept { return {fastest_, 0.5 * length()}; }
+
 // Speeds at which free motions grow, and the tick that the fastest of them can bear.
 void Ship::findLimits() {
   const auto grows = [&](const GrowthLimit& limit) {
     const bool held = restrained_.at(static_cast<std::size_t>(limit.mode));
-    return std::min(held ? kNever : limit.speed.value_or(kNever), hydrodynamics().fastest());
+    return std::min(held ? kNever : limit.speed.value_or(kNever), fastest_);
   };
-  growsAhead_ = growsAstern_ = hydrodynamics().fastest();
+  growsAhead_ = growsAstern_ = fastest_;
   if (!free() || hydrodynamics().form() == ForwardSpeedForm::Tuck) {
     growsAhead_ = grows(hydrodynamics().stability().ahead);
     growsAstern_ = grows(hydrodynamics().stability().astern);

@@ -19,6 +19,7 @@ class Hydrodynamics;
 class PredictedMotion;
 class Resistance;
 class SeaTables;
+struct TurningLimits;
 struct Coefficients;
 struct CourseForces;
 struct Helm;
@@ -334,6 +335,7 @@ class Ship {
   void forget() noexcept;
   void startAgain() noexcept;
   void turnAddedMass(const Mat3& own) const noexcept;
+  TurningLimits turningLimits() const noexcept;
   void aimRestraint(double step) noexcept;
   bool free() const noexcept { return predicted_ != nullptr; }
 
@@ -367,6 +369,7 @@ class Ship {
   int flagsFound_ = 0, activationFound_ = 0;  // of the user's body
   btVector3 gravityFound_;
   std::array<bool, 6> restrained_{};
+  double fastest_ = 0.0;  // up to which its motions were looked at [m/s]
   MeanCourse course_;
   MeanCourse line_;  // on which modes are held: the fixed course, or a free ship's from its start
   std::shared_ptr<PredictedMotion> predicted_;  // of a free ship

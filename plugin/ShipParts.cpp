@@ -6,6 +6,7 @@
 #include "hydro/Errors.h"
 #include "hydro/base/Fnv1a.h"
 #include "hydro/forces/Hydrodynamics.h"
+#include "hydro/forces/OwnAxes.h"
 #include "hydro/forces/PredictedMotion.h"
 #include "hydro/forces/SeaTables.h"
 #include "hydro/forces/appendages/Engine.h"
@@ -53,8 +54,7 @@ void Ship::makeParts(const ShipSettings& settings) {
     for (const WaveLoad load : {WaveLoad::FroudeKrylov, WaveLoad::Diffraction})
       database(std::make_unique<FreeWaveForce>(predicted_, load));
     auto radiation = std::make_unique<FreeRadiation>(hydrodynamics().radiation(), predicted_,
-                                                     settings.model.memory,
-                                                     2.0 * hydrodynamics().fastest(), 0.5 * length());
+                                                     settings.model.memory, turningLimits());
     radiation_ = radiation.get();
     database(std::move(radiation));
   } else {
@@ -68,7 +68,7 @@ void Ship::makeParts(const ShipSettings& settings) {
   auto autopilots = std::make_unique<Autopilots>(c.ship, c.addedMass.atInfinity, length(), free());
   autopilots_ = autopilots.get();
   added(std::move(autopilots));
-  if (free() && settings.model.hullLift) added(std::make_unique<HullLift>(predicted_));
+  if (free() && settings.model.hullLift) added(std::make_unique<HullLift>(predicted_, fastest_));
   if (free() && settings.model.resistance) {
     auto resistance = std::make_unique<Resistance>(c.ship);
     resistance_ = resistance.get();

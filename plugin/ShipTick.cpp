@@ -228,7 +228,9 @@ void Ship::turnAddedMass(const Mat3& own) const noexcept {
   const Mat3 level = rotationZ(std::atan2(own(1, 0), own(0, 0)));
   const Mat3 world = frame_.axes();
   const auto inWorld = [&](const Mat3& axes) { return Mat3(world * axes * world.transpose()); };
-  added().follow({inWorld(free() ? own : level), inWorld(own)}, world);
+  const double share =
+      free() ? turningLimits().share(input_.ownVelocityNow, input_.attitude(2, 2)) : 1.0;
+  added().follow({inWorld(free() ? own : level), inWorld(own)}, world, share);
 }
 
 void Ship::aimRestraint(double step) noexcept {

@@ -14,14 +14,14 @@ FreeResponse::FreeResponse(const Coefficients& coefficients, const RadiationMode
       stiffness_(coefficients.ship.restoring),
       damping_(coefficients.ship.supplementary.damping),
       addedStiffness_(coefficients.ship.supplementary.stiffness),
-      rate_(std::sqrt(coefficients.ship.gravity / coefficients.ship.lengthOverall())) {
+      slow_(0.53 * std::sqrt(coefficients.ship.gravity / coefficients.ship.lengthOverall())) {
   addedStiffness_[Surge] = addedStiffness_[Sway] = addedStiffness_[Yaw] = 0.0;
   model.sum();
   atRest_ = model.waterMass(0.0).real();
 }
 
 double FreeResponse::share(double omega) const noexcept {
-  const double ratio = omega / (0.53 * rate_), fourth = ratio * ratio * ratio * ratio;
+  const double ratio = omega / slow_, fourth = ratio * ratio * ratio * ratio;
   return fourth / (1.0 + fourth);
 }
 

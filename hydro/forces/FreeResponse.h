@@ -35,8 +35,6 @@ class FreeResponse {
   Answer at(double omega, const SteadyWay& way, const CVec6& force,
             const ActiveParts& parts) const noexcept;
 
-  const Mat6& mass() const noexcept { return mass_; }  ///< M of the body
-  double rate() const noexcept { return rate_; }       ///< √(g/L) [1/s]
   const HullLiftFactors& lift() const noexcept { return lift_; }
   const Mat6& addedMassAtRest() const noexcept { return atRest_; }  ///< A(0), of the fit
   /// Share of an answer that counts as motion about a slow one, 1 where waves are met fast:
@@ -49,7 +47,7 @@ class FreeResponse {
   HullLiftFactors lift_;
   Mat6 mass_, stiffness_, atRest_;
   Vec6 damping_, addedStiffness_;
-  double rate_;
+  double slow_;  // ω₀
 };
 
 }  // namespace cutwater

@@ -37,6 +37,26 @@ inline Vec3 momentOf(const Mat3& own, const Vec3& parts) {
   return parts[0] * along + parts[1] * own.col(1) + parts[2] / cosine * own.col(2);
 }
 
+/// How far a ship's motion may go before the water's momentum turns less with it than it should.
+struct TurningLimits {
+  double fastest = 1e300;   ///< [m/s] of the hull's ends
+  double halfLength = 0.0;  ///< from G to them [m]
+
+  /// The share of all cross terms of momentum, Ω × p and V × p, that is taken: 1 within the theory.
+  /// Far outside it, where the hull's ends move faster or the ship tilts beyond 30°, less, by the
+  /// square of the ratio of speeds and down to none at 45°. A thrown ship stays bounded so: the two
+  /// cancel in power in whichever share both are taken, and not in different ones.
+  /// @param own  velocities in own axes.  @param upright  cosine of the ship's tilt.
+  double share(const Vec6& own, double upright) const {
+    const double ends = std::hypot(own.head<3>().norm(), halfLength * own.tail<3>().norm());
+    const double ratio = ends > fastest ? fastest / ends : 1.0;
+    const double tilt =
+        (std::cos(kPi / 6.0) - upright) / (std::cos(kPi / 6.0) - std::cos(kPi / 4.0));
+    const double beyond = std::clamp(tilt, 0.0, 1.0);
+    return ratio * ratio * (1.0 - beyond * beyond * (3.0 - 2.0 * beyond));
+  }
+};
+
 /// Momentum of the water, force part p_F and moment part p_M, both in R, as the ship's next axes
 /// see it that have turned meanwhile: it stands still in E, but for its part about x, which turns
 /// with the ship.                                                      THEORY.md, The free ship

@@ -28,6 +28,18 @@ TEST(HullLiftClosedForm, ResistsLeewayAndTurningInProportionToSpeed) {
   EXPECT_EQ(lift.evaluate(motion).load, Vec6::Zero().eval());
 }
 
+TEST(HullLift, GrowsNoMoreBeyondTheFastestSpeed) {
+  test::Predicted calm(SeaState{});
+  HullLift lift(calm.motion, 12.0), free(calm.motion);
+  TickInput motion;
+  motion.ownVelocityNow[Sway] = 0.3;
+  motion.speed = 12.0;
+  const Vec6 fastest = free.evaluate(motion).load;
+  EXPECT_EQ(lift.evaluate(motion).load, fastest);
+  motion.speed = -1000.0;
+  EXPECT_EQ(lift.evaluate(motion).load, fastest);
+}
+
 // A hull that moves with the water of the waves feels none.
 TEST(HullLiftIdentity, AnswersTheVelocityThroughTheWater) {
   test::Predicted waves(test::tableSea());

@@ -106,5 +106,26 @@ TEST(OwnAxesIdentity, AxesThatDidNotTurnCarryTheSame) {
   EXPECT_EQ(carried(Vec6::Zero(), own, own, own, own), Vec6::Zero().eval());
 }
 
+// Within the theory all of the cross terms, beyond it (v*/v)², and from 30° to 45° of tilt down to
+// none without a jump.
+TEST(TurningLimitsClosedForm, ShareFallsOutsideTheTheory) {
+  const TurningLimits limits{20.0, 60.0};
+  Vec6 own = Vec6::Zero();
+  own[Surge] = 16.0;
+  own[Yaw] = 0.2;  // the ends: hypot(16, 12)
+  EXPECT_EQ(limits.share(own, 1.0), 1.0);
+  EXPECT_EQ(limits.share(own, std::cos(0.5)), 1.0);
+  EXPECT_NEAR(limits.share(3.0 * own, 1.0), 1.0 / 9.0, kRound);
+  EXPECT_EQ(limits.share(own, std::cos(kPi / 4)), 0.0);
+  EXPECT_EQ(limits.share(own, -1.0), 0.0);
+  double before = 1.0;
+  for (double tilt = 0.5; tilt < 0.8; tilt += 1e-3) {
+    const double now = limits.share(own, std::cos(tilt));
+    EXPECT_LE(now, before);
+    EXPECT_GT(now, before - 0.01) << tilt;  // 1.5 in 15° at the steepest
+    before = now;
+  }
+}
+
 }  // namespace
 }  // namespace cutwater

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hydro/forces/OwnAxes.h"
 #include "hydro/memory/RadiationModel.h"
 
 namespace cutwater {
@@ -16,12 +15,11 @@ Vec3 steadyOf(const TickInput& now) { return {now.speed, now.leeway, now.turnRat
 
 FreeRadiation::FreeRadiation(std::shared_ptr<const RadiationModel> model,
                              std::shared_ptr<const PredictedMotion> predicted, MemoryModel memory,
-                             double fastest, double halfLength)
+                             const TurningLimits& limits)
     : model_(std::move(model)),
       predicted_(std::move(predicted)),
       memoryModel_(memory),
-      fastest_(fastest),
-      halfLength_(halfLength) {
+      limits_(limits) {
   // Takes ticks of any length, so it is made now, not in the first tick.
   if (memory == MemoryModel::Exponential) memory_ = model_->makeMemory(1.0 / 60.0);
 }
@@ -65,18 +63,6 @@ double FreeRadiation::meanYaw(const TickInput& now) const noexcept {
          now.speed * (atRest(Sway, Sway) - atRest(Surge, Surge)) * turn * ahead;
 }
 
-// Way and spin lose (ends/fastest − 1)√(g/L) of themselves a second, at most half a tick.
-void FreeRadiation::brake(const TickInput& now, double ends, Vec6& load) const noexcept {
-  const FreeResponse& ship = predicted_->response();
-  const double rate = std::min((ends / fastest_ - 1.0) * ship.rate(), 0.5 / now.step);
-  Vec6 velocity;
-  velocity << now.attitude * now.velocityNow.head<3>(), now.velocityNow.tail<3>();
-  velocity[Heave] = 0.0;
-  const Vec6 lost = rate * (ship.mass() * velocity);
-  load.head<3>() -= lost.head<3>();
-  load.tail<3>() -= now.attitude * lost.tail<3>();
-}
-
 Wrench FreeRadiation::evaluate(const TickInput& now) noexcept {
   if (!memory_) return {};
   memory_->setStep(now.lastStep);  // the convolution has been prepared for it
@@ -84,18 +70,19 @@ Wrench FreeRadiation::evaluate(const TickInput& now) noexcept {
   const Mat3& own = now.ownAxes;
   const Vec6 after = memory_->momentum(now.ownVelocity, now.step);
   const bool first = !begun_ || now.courseBegins;
+  const double share = limits_.share(now.ownVelocityNow, now.attitude(2, 2));
   const Vec6 before =
-      first ? after : carried(momentum_, now.ownAxesBefore, now.ownAxesBefore, own, own);
+      first ? after
+            : Vec6(share * carried(momentum_, now.ownAxesBefore, now.ownAxesBefore, own, own) +
+                   (1.0 - share) * momentum_);
   const Vec6 rate = (before - after) / now.step;
 
   // V × R p_F at t_n, between the two.
   const Vec6& nu = now.ownVelocityNow;
   const Vec6 p = model_->addedMassInf() * nu + 0.5 * (before + after);
-  const double ends = std::hypot(nu.head<3>().norm(), halfLength_ * nu.tail<3>().norm());
-  const double ratio = ends > fastest_ ? fastest_ / ends : 1.0;
-  const Vec3 cross = ratio * ratio * (own * nu.head<3>().cross(p.head<3>()));
+  const Vec3 cross = share * (own * nu.head<3>().cross(p.head<3>()));
   Vec3 moment = generalisedMoment(own, own * rate.tail<3>());
-  moment[1] -= own.col(1).dot(cross) - ratio * ratio * steadyTrim(now);
+  moment[1] -= own.col(1).dot(cross) - share * steadyTrim(now);
   moment[2] -= cross.z() - meanYaw(now);
 
   momentum_ = after;
@@ -103,7 +90,6 @@ Wrench FreeRadiation::evaluate(const TickInput& now) noexcept {
   begun_ = true;
   Wrench wrench{.axes = Axes::Earth};
   wrench.load << own * rate.head<3>(), momentOf(own, moment);
-  if (ends > fastest_) brake(now, ends, wrench.load);
   return wrench;
 }
 

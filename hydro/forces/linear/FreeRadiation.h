@@ -1,8 +1,8 @@
 #pragma once
-#include <limits>
 #include <memory>
 
 #include "hydro/forces/ForceGenerator.h"
+#include "hydro/forces/OwnAxes.h"
 #include "hydro/forces/PredictedMotion.h"
 #include "hydro/forces/ShipSettings.h"
 
@@ -26,13 +26,10 @@ class RadiationModel;
 class FreeRadiation final : public ForceGenerator {
  public:
   /// @param predicted  of the same ship.
-  /// @param fastest  [m/s]: where the ends of the hull, halfLength [m] from G, move faster, far
-  ///        outside the theory, the cross terms are taken smaller by the square of the ratio, and
-  ///        what that leaves unbalanced is braked: a ship that is thrown stays bounded.
+  /// @param limits  of its cross terms; those of the ship's A^∞ are the same.
   FreeRadiation(std::shared_ptr<const RadiationModel> model,
                 std::shared_ptr<const PredictedMotion> predicted,
-                MemoryModel memory = MemoryModel::Exponential,
-                double fastest = std::numeric_limits<double>::infinity(), double halfLength = 0.0);
+                MemoryModel memory = MemoryModel::Exponential, const TurningLimits& limits = {});
   ~FreeRadiation() override;
 
   std::string_view name() const noexcept override { return "radiation"; }
@@ -54,7 +51,6 @@ class FreeRadiation final : public ForceGenerator {
  private:
   static constexpr std::size_t kOwnState = 6 + 3 + 1;
   void begin(const TickInput& now) noexcept;
-  void brake(const TickInput& now, double ends, Vec6& load) const noexcept;
   double steadyTrim(const TickInput& now) const noexcept;
   double meanYaw(const TickInput& now) const noexcept;
 
@@ -62,7 +58,7 @@ class FreeRadiation final : public ForceGenerator {
   std::shared_ptr<const PredictedMotion> predicted_;
   std::unique_ptr<RadiationMemory> memory_;  // null before prepare()
   MemoryModel memoryModel_;
-  double fastest_, halfLength_;
+  TurningLimits limits_;
   Vec6 momentum_ = Vec6::Zero();  // q
   Vec3 steady_ = Vec3::Zero();    // slow u, v, r of the last tick
   bool begun_ = false;            // has a past

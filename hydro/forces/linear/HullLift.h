@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <memory>
 
 #include "hydro/database/HullLiftFactors.h"
@@ -18,13 +19,17 @@ namespace cutwater {
 class HullLift final : public ForceGenerator {
  public:
   /// @param predicted  of the same ship.
-  explicit HullLift(std::shared_ptr<const PredictedMotion> predicted)
-      : predicted_(std::move(predicted)) {}
+  /// @param fastest  |U| [m/s] beyond which lift grows no more: a ship that is thrown is far
+  ///        outside the theory, and a tick must be able to bear it.
+  explicit HullLift(std::shared_ptr<const PredictedMotion> predicted,
+                    double fastest = std::numeric_limits<double>::infinity())
+      : predicted_(std::move(predicted)), fastest_(fastest) {}
   std::string_view name() const noexcept override { return "hull_lift"; }
   Wrench evaluate(const TickInput& now) noexcept override;
 
  private:
   std::shared_ptr<const PredictedMotion> predicted_;
+  double fastest_;
 };
 
 }  // namespace cutwater

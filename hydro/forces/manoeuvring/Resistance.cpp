@@ -41,7 +41,7 @@ Resistance::Resistance(const ShipParticulars& ship)
       form_(1.0 + ship.drag.formFactor),
       length_(ship.length()),
       mass_(ship.mass),
-      inertia_(ship.massMatrix()(Yaw, Yaw)) {
+      inertia_(ship.massMatrix().diagonal().tail<3>()) {
   const double piece = length_ / kPieces, stern = ship.sternX();
   for (int i = 0; i < kPieces; ++i) {
     for (const double at : kGauss) {
@@ -67,7 +67,8 @@ double Resistance::alongHull(double speed) const noexcept {
 
 // With c = ½ρ C_D ∫T|v + xr| dx and d likewise with x², Y and N are −C(v, r) with a matrix C ≥ 0 of
 // diagonal c, d. A tick h takes off h M⁻¹C of the velocity, whose largest eigenvalue is at most
-// h(c/m + d/I): held to 1, no motion turns round.
+// h(c/m + d/I): held to 1, no motion turns round. 1/I is what a moment about the vertical turns: of
+// a ship on its side or on end, far outside the theory, that is its roll.
 Wrench Resistance::evaluate(const TickInput& now) noexcept {
   double side = 0.0, turn = 0.0, sideRate = 0.0, turnRate = 0.0;
   for (const Strip& strip : strips_) {
@@ -78,7 +79,9 @@ Wrench Resistance::evaluate(const TickInput& now) noexcept {
     turnRate += rate * strip.x * strip.x;
   }
   const double drag = halfDensity_ * crossFlow_;
-  const double stops = now.step * drag * (sideRate / mass_ + turnRate / inertia_);
+  const Vec3 axis = now.attitude.transpose() * now.ownAxes.col(2) / now.ownAxes(2, 2);
+  const double turns = axis.cwiseAbs2().cwiseQuotient(inertia_).sum();
+  const double stops = now.step * drag * (sideRate / mass_ + turnRate * turns);
   const double across = drag / std::max(1.0, stops);
   const double most = mass_ * std::abs(now.speed) / now.step;
   Vec6 force = Vec6::Zero();

@@ -45,7 +45,8 @@ class Resistance final : public ForceGenerator {
   };
 
   std::vector<Strip> strips_;
-  double halfDensity_, crossFlow_, form_, length_, mass_, inertia_;
+  double halfDensity_, crossFlow_, form_, length_, mass_;
+  Vec3 inertia_;  // about the axes of the hull
   double wettedArea_ = 0.0, lateralArea_ = 0.0;
 };
 
