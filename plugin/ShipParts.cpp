@@ -49,7 +49,7 @@ void Ship::makeParts(const ShipSettings& settings) {
     addPart({.name = name, .force = std::move(force)});
   };
   addPart({.name = "gravity", .potentialFlow = true});
-  database(std::make_unique<Restoring>(c.ship));
+  database(std::make_unique<Restoring>(c.ship, free()));
   if (free()) {
     for (const WaveLoad load : {WaveLoad::FroudeKrylov, WaveLoad::Diffraction})
       database(std::make_unique<FreeWaveForce>(predicted_, load));

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
+#include "hydro/database/FreeMotion.h"
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/forces/OwnAxes.h"
 #include "hydro/forces/PredictedMotion.h"
@@ -113,9 +114,10 @@ double Ship::energy() const noexcept {
   const Mat3 body = bodyAxes(), halfStep = 0.5 * lastStep_ * toCourse();
   const Vec6 own = this->velocity(), velocity = rotated(body, body, own);
   const Vec6 motion = this->motion() - rotated(halfStep, halfStep, velocity);
+  const Mat6& given = coefficients().ship.restoring;
+  const Mat6 restoring = free() ? freeRestoring(given) : given;
   return 0.5 * own.dot(coefficients().ship.massMatrix() * own) +
-         0.5 * velocity.dot(waterMomentum()) +
-         0.5 * motion.dot(coefficients().ship.restoring * motion);
+         0.5 * velocity.dot(waterMomentum()) + 0.5 * motion.dot(restoring * motion);
 }
 
 PointMotion Ship::pointMotion(const Vec3& point) const noexcept {

@@ -34,4 +34,10 @@ CMat6 waterLoad(Complex s, const SteadyWay& way, const CMat6& water, const Mat6&
   return load;
 }
 
+Mat6 freeRestoring(const Mat6& restoring) {
+  Mat6 free = restoring;
+  for (const int mode : {Surge, Sway, Yaw}) free.col(mode).setZero();
+  return free;
+}
+
 }  // namespace cutwater

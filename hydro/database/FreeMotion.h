@@ -26,4 +26,9 @@ CMat6 ownVelocities(Complex s, const SteadyWay& way);
 /// @param atRest  A(0).
 CMat6 waterLoad(Complex s, const SteadyWay& way, const CMat6& water, const Mat6& atRest);
 
+/// C of a free ship: a force and a moment for each of heave, roll and pitch, none for a place or a
+/// heading. The moment of a weight that is not above the buoyancy stays about the level y of the
+/// ship's own heading, so that C₄₆ = W(x_G − x_B) is of fixed axes alone.
+Mat6 freeRestoring(const Mat6& restoring);
+
 }  // namespace cutwater

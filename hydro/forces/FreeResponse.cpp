@@ -11,7 +11,7 @@ FreeResponse::FreeResponse(const Coefficients& coefficients, const RadiationMode
     : model_(model),
       lift_(coefficients, coefficients.ship.lengthOverall()),
       mass_(coefficients.ship.massMatrix()),
-      stiffness_(coefficients.ship.restoring),
+      stiffness_(freeRestoring(coefficients.ship.restoring)),
       damping_(coefficients.ship.supplementary.damping),
       addedStiffness_(coefficients.ship.supplementary.stiffness),
       slow_(0.53 * std::sqrt(coefficients.ship.gravity / coefficients.ship.lengthOverall())) {

@@ -103,7 +103,8 @@ CVec6 FrequencyResponse::at(double omegaI, double heading, double speed) const {
       excitation_->at(omegaI, heading, speed).total() + liftOf(omegaI, heading, speed);
   const CVec6 force = met.conjugatedIfOvertaking(wave);
   CMat6 system = free_ ? systemOfFree(omega, speed) : systemOnCourse(omega, speed);
-  system += (ship.restoring - omega * omega * ship.massMatrix()).cast<Complex>();
+  const Mat6 restoring = free_ ? freeRestoring(ship.restoring) : ship.restoring;
+  system += (restoring - omega * omega * ship.massMatrix()).cast<Complex>();
   system.diagonal() += Complex(0.0, omega) * ship.supplementary.damping.cast<Complex>();
 
   std::vector<int> free;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "hydro/database/Coefficients.h"
+#include "hydro/database/FreeMotion.h"
 #include "hydro/forces/ForceGenerator.h"
 
 namespace cutwater {
@@ -19,8 +20,10 @@ namespace cutwater {
 /// which belongs to no theory, and keeps the spin within some radians a second.
 class Restoring final : public ForceGenerator {
  public:
-  explicit Restoring(const ShipParticulars& ship)
-      : stiffness_(ship.restoring), inertia_(ship.massMatrix().diagonal().tail<3>()) {}
+  /// @param free  Mean::Free: freeRestoring (FreeMotion.h).
+  explicit Restoring(const ShipParticulars& ship, bool free = false)
+      : stiffness_(free ? freeRestoring(ship.restoring) : ship.restoring),
+        inertia_(ship.massMatrix().diagonal().tail<3>()) {}
   std::string_view name() const noexcept override { return "restoring"; }
   bool carriesWeight() const noexcept override { return true; }
   Wrench evaluate(const TickInput& now) noexcept override {
