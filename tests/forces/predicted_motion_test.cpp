@@ -271,5 +271,36 @@ TEST(PredictedMotion, InCalmWaterThereIsNone) {
   EXPECT_TRUE(calm.motion->fits(state));
 }
 
+/// Displacement that counts after some minutes of a ship that moves `share` as predicted in sway,
+/// over the predicted one.
+double counted(double share) {
+  Predicted ship(
+      SeaState({{.omega = 2.0, .amplitude = 0.1, .heading = kPi / 2}}, test::kBoxGravity));
+  ship.renewAll({0.0, {}});
+  Predicted free(ship.sea());
+  free.renewAll({0.0, {}});
+  const auto unheld = [&](double t) { return free.sumAt(t, 0.0, 0.0).velocity[1]; };
+  double whole = 0.0;
+  for (int n = 0; n < 60 * 180; ++n) {
+    const auto& sums = ship.sumAt(n * kTick, 0.0, 0.0);
+    if (n == 0) whole = std::hypot(sums.displacement[1], sums.velocity[1] / 2.0);
+    const double actual = share * unheld(n * kTick);
+    ship.motion->compare({0.0, actual, 0.0}, kTick, n == 0);
+  }
+  const auto& sums = ship.sumAt(0.0, 0.0, 0.0);
+  return std::hypot(sums.displacement[1], sums.velocity[1] / 2.0) / whole;
+}
+
+// Above 0.7 of the predicted acceleration the prediction counts whole, to the bit; below 0.4 not at
+// all; between in proportion.
+TEST(PredictedMotionClosedForm, CountsAsFarAsTheShipMovesLikeThat) {
+  EXPECT_EQ(counted(1.0), 1.0);
+  EXPECT_EQ(counted(0.75), 1.0);
+  EXPECT_NEAR(counted(0.55), 0.5, 1e-3);  // 1e-4 g of acceleration tells nothing
+  EXPECT_EQ(counted(0.3), 0.0);
+  EXPECT_EQ(counted(0.0), 0.0);
+  EXPECT_EQ(counted(-1.0), 0.0);
+}
+
 }  // namespace
 }  // namespace cutwater
