@@ -261,6 +261,7 @@ void AddedMassConstraint::giveWhatNoRowCarries() noexcept {
 
 void AddedMassConstraint::beginTick(btScalar step) noexcept {
   step_ = step;
+  solved_ = axes();  // Bullet asks for no rows where there are none
   giveWhatNoRowCarries();
 }
 

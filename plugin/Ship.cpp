@@ -21,6 +21,16 @@ CUTWATER_PLUGIN_BEGIN
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kBeforePitching = 0.8;
+
+// Munk's moment in pitch, U²(A33(0) − A11(0))θ, would turn the ship over where it is C55; its terms
+// grow no more from well below that speed.
+double fastestFree(const Hydrodynamics& hydro) {
+  const Mat6& A = hydro.coefficients().addedMass.atZero;
+  const double munk = A(Heave, Heave) - A(Surge, Surge), C55 = hydro.ship().restoring(Pitch, Pitch);
+  const double overturns = munk > 0.0 && C55 > 0.0 ? std::sqrt(C55 / munk) : kNever;
+  return std::min(hydro.fastest(), kBeforePitching * overturns);
+}
 
 }  // namespace
 
@@ -32,7 +42,8 @@ Ship::Ship(btDiscreteDynamicsWorld& world, const WorldFrame& frame,
       rig_(std::make_unique<Rig>(*this)),
       ownBody_(own == nullptr),
       restrained_(settings.model.restrained),
-      fastest_(hydrodynamics().fastest()),
+      fastest_(settings.model.mean == Mean::Free ? fastestFree(hydrodynamics())
+                                                 : hydrodynamics().fastest()),
       phasors_(tables_->sea().phasorBlocks()) {
   const ShipStart& start = settings.start;
   requireCourse(settings.model.mean, start.speed);
@@ -156,6 +167,7 @@ void Ship::place(const ShipStart& start) noexcept {
 // As if the ship had been as it is for ever.
 void Ship::forget() noexcept {
   startAgain();
+  anew_ = true;
   for (ShipPart& part : parts_) {
     if (part.force) part.force->reset();
   }

@@ -95,7 +95,7 @@ Vec3 motionAngles(const Mat3& rotation) noexcept;
 ///     froude_krylov   the undisturbed waves
 ///     diffraction     the waves that the hull throws back
 ///     radiation       memory of the waves radiated, −∫K η̇ dτ, and −b(U)η̇ − c(U)η
-///     added_mass      −d(A∞ v)/dt, as Bullet's solver applied it
+///     added_mass      −d(A∞ v)/dt, as Bullet's solver applied it; of a free ship also −V × A∞ v
 ///     supplementary   damping and stiffness given with the ship
 ///     autopilots      SpeedKeeper and CourseKeeper
 ///     hull_lift       Mean::Free only
@@ -103,8 +103,8 @@ Vec3 motionAngles(const Mat3& rotation) noexcept;
 ///     engine, rudder  of a free ship that has them (setThrottle, setRudder)
 /// and then those of addForce(). gravity + restoring = −C η.
 ///
-/// First-order forces act in H; moments, and A∞, in upright axes with the ship's own heading (R_z
-/// of its yaw), and velocities are taken alike, so that power is force times velocity. To first
+/// First-order forces act in H. Moments, and A∞, act in axes along the ship's own heading and pitch,
+/// which do not roll; velocities are taken alike, so that power is force times velocity. To first
 /// order that is H throughout. Moments in H would set a ship's small roll inertia against its large
 /// yaw inertia: at 3° of yaw their product exceeds roll's own; in body axes a heeled ship's pitch
 /// moment would turn it. Tilted beyond kLargestTilt a ship is outside the linear theory; loads stay
@@ -219,8 +219,8 @@ class Ship {
   void setRudder(double angle);
 
   /// Sets the velocity [m/s, rad/s] in E. body().setLinearVelocity() would be taken for a blow,
-  /// which M + A∞ resists; this is not. The memory of radiated waves stays; a filtered course takes
-  /// the new velocity at once.
+  /// which M + A∞ resists; this is not. The memory of radiated waves stays; a free ship has
+  /// always had its new way.
   void resetVelocity(const Vec3& linear, const Vec3& angular) noexcept;
   /// Begins anew, in microseconds: from here on the ship has the same bits as a new one with this
   /// start in the sea of this moment. Orders to autopilots, parts and what is switched off stay.
@@ -242,7 +242,7 @@ class Ship {
     std::array<Mat3, 2> pastAxes;         // of A∞ at v⁻
     Vec6 before;
     double lastStep = 0.0, stepBefore = 0.0;
-    bool courseBegins = false;
+    bool courseBegins = false, anew = false;
     int activation = 0;  // Bullet's activation state of the body
     int now = 0;         // ticking, paused, asleep
     std::array<double, 3> lockedYaw{};
@@ -325,6 +325,7 @@ class Ship {
   Wrench evaluatePart(ShipPart& part) noexcept;
   Vec6 inCourseAxes(const Wrench& wrench) const noexcept;
   Vec6 sumOfLoads() const noexcept;
+  Vec3 turningOfAddedMass() const noexcept;
   bool apply(double step) noexcept;
   void turnByInertia(double step) noexcept;
   void holdLockedYaw(double step) noexcept;
@@ -403,6 +404,8 @@ class Ship {
 
   TickInput input_;  // of the tick under way
   std::vector<Phasors4> phasors_;
+  bool anew_ = true;                          // of a free ship: nothing is kept of what it was
+  Vec3 turning_ = Vec3::Zero();               // −V × R A∞ν of this tick, in E [N·m]
   double elevation_ = 0.0;                    // of the sea at the mean place [m]
   Vec6 velocityAfter_ = Vec6::Zero();         // v⁻ of the last solve, in E
   Vec6 velocityBefore_ = Vec6::Zero();        // the same a tick before

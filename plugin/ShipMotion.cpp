@@ -93,7 +93,7 @@ void Ship::findSlowMotion() noexcept {
   for (int round = 0; round < rounds; ++round) {
     const PredictedMotion::Way now{course_.heading(), {course_.speed(), course_.leeway()}};
     if (input_.courseBegins) {
-      predicted_->renewAll(now);
+      predicted_->renewAll(now, anew_);
     } else {
       predicted_->follow(now, course_.turnRate(), input_.step);
     }
@@ -106,6 +106,7 @@ void Ship::findSlowMotion() noexcept {
         {course_.x(), course_.y(), course_.heading()},
         {along.x() - rate.x() + turn * swing.y(), along.y() - rate.y() - turn * swing.x(), turn});
   }
+  if (input_.courseBegins) anew_ = false;
   const Vec3 along = toCourse() * velocity;
   predicted_->compare({along.x(), along.y(), headingRate}, input_.step, input_.courseBegins);
 }

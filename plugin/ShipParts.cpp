@@ -65,7 +65,8 @@ void Ship::makeParts(const ShipSettings& settings) {
   }
   addPart({.name = "added_mass"});
   added(std::make_unique<SupplementaryForce>(c.ship.supplementary, free()));
-  auto autopilots = std::make_unique<Autopilots>(c.ship, c.addedMass.atInfinity, length(), free());
+  auto autopilots = free() ? std::make_unique<Autopilots>(c, length())
+                           : std::make_unique<Autopilots>(c.ship, c.addedMass.atInfinity, length());
   autopilots_ = autopilots.get();
   added(std::move(autopilots));
   if (free() && settings.model.hullLift) added(std::make_unique<HullLift>(predicted_, fastest_));

@@ -208,6 +208,7 @@ void Ship::save(Snapshot& s) const {
   s.lastStep = lastStep_;
   s.stepBefore = stepBefore_;
   s.courseBegins = input_.courseBegins;
+  s.anew = anew_;
   s.activation = body_->getActivationState();
   s.now = static_cast<int>(now_);
   s.lockedYaw = {lockedYaw_.on ? 1.0 : 0.0, lockedYaw_.heading, lockedYaw_.rate};
@@ -303,6 +304,7 @@ void Ship::restore(const Snapshot& s) {
   lastStep_ = s.lastStep;
   stepBefore_ = s.stepBefore;
   input_.courseBegins = s.courseBegins;
+  anew_ = s.anew;
   now_ = static_cast<Now>(s.now);
   lockedYaw_ = {s.lockedYaw[0] != 0.0, s.lockedYaw[1], s.lockedYaw[2]};
   begun_ = false;

@@ -109,11 +109,25 @@ Vec6 Ship::sumOfLoads() const noexcept {
 }
 
 // Impulses, not forces: Bullet keeps forces over all ticks of one stepSimulation.
+// −V × R A∞ν of a free ship, in E: what of the added mass is no rate of momentum. About the level y
+// and the vertical; R does not roll.
+Vec3 Ship::turningOfAddedMass() const noexcept {
+  if (!free() || !parts_[addedMassPart_].on) return Vec3::Zero();
+  const Vec6& nu = input_.ownVelocityNow;
+  const Mat6& A = coefficients().addedMass.atInfinity;
+  const Vec3 p = 0.5 * ((A + A.transpose()) * nu).head<3>();
+  const Mat3& own = input_.ownAxes;
+  const double share = turningLimits().share(nu, input_.attitude(2, 2));
+  const Vec3 cross = share * (own * nu.head<3>().cross(p));
+  return momentOf(own, Vec3(0.0, -own.col(1).dot(cross), -cross.z()));
+}
+
 bool Ship::apply(double step) noexcept {
   const Vec6 loads = sumOfLoads();
   if (!loads.allFinite()) return false;
   const Vec3 impulse = step * (rotationZ(course_.heading()) * loads.head<3>());
-  const Vec3 twist = step * momentOf(input_.ownAxes, loads.tail<3>());
+  turning_ = turningOfAddedMass();
+  const Vec3 twist = step * (momentOf(input_.ownAxes, loads.tail<3>()) + turning_);
   body_->applyCentralImpulse(frame_.force(impulse));
   body_->applyTorqueImpulse(frame_.moment(twist));
   return true;
@@ -262,7 +276,8 @@ std::uint32_t Ship::endTick(btScalar step) noexcept {
   velocityAfter_ = velocityInEarth(addedMass.linearVelocity(), addedMass.angularVelocity());
   Vec6 load;
   load << toCourse() * frame_.forceToEarth(toBullet(addedMass.force())),
-      generalisedMoment(input_.ownAxes, frame_.momentToEarth(toBullet(addedMass.moment())));
+      generalisedMoment(input_.ownAxes,
+                        frame_.momentToEarth(toBullet(addedMass.moment())) + turning_);
   if (!load.allFinite()) load.setZero();
   record_.loads[addedMassPart_] = load;
   stepBefore_ = lastStep_;

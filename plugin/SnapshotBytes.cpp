@@ -42,6 +42,7 @@ void visitFields(Visitor& v, Snapshot& s) {
   v.field("lastStep", s.lastStep);
   v.field("stepBefore", s.stepBefore);
   v.field("courseBegins", s.courseBegins);
+  v.field("anew", s.anew);
   v.field("activation", s.activation);
   v.field("now", s.now);
   v.field("lockedYaw", s.lockedYaw);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hydro/base/Fnv1a.h"
 #include "hydro/base/SimdMath.h"
 #include "hydro/excitation/ExcitationTable.h"
 #include "hydro/forces/Hydrodynamics.h"
@@ -18,7 +19,10 @@ constexpr double kOldHeading = kPi / 180.0;               // the oldest that is 
 constexpr std::size_t kFewest = 2, kMost = 32;            // renewed a tick
 constexpr double kPatience = 12.0;                        // of √(L/g): some waves
 constexpr double kNegligible = 1e-4;                      // of g
-constexpr double kHeld = 0.4, kFree = 0.7;
+constexpr double kAlike = 0.7, kFree = 0.85;              // of what is predicted
+constexpr double kDoubt = 3.0;                            // of what is not
+constexpr double kLargest = 10.0;                         // answer to a wave [m/m], beyond any
+constexpr double kSlowest = 1e-3;                         // of ω
 constexpr double kNoShare = 1e-9;  // of w: met too slowly to be told from a steady motion
 
 // Channels of a block.
@@ -60,6 +64,12 @@ PredictedMotion::PredictedMotion(std::shared_ptr<const SeaTables> tables, const 
   const double linear = kNegligible * g, angular = kNegligible * g / L;
   negligible_ << linear * linear, linear * linear, angular * angular;
   patience_ = kPatience * std::sqrt(L / g);
+  Fnv1a key;
+  for (const WaveComponent& wave : tables_->sea().components()) {
+    for (const double x : {wave.omega, wave.heading, wave.amplitude, wave.phase})
+      key.add(&x, sizeof x);
+  }
+  seaKey_ = static_cast<double>(key.value() >> 12);  // 52 bits
 }
 
 PredictedMotion::~PredictedMotion() = default;
@@ -114,17 +124,48 @@ void PredictedMotion::compare(const Vec3& velocity, double step, bool begins) no
     const double square = predicted * predicted;
     const double product = std::clamp(actual * predicted, -2.0 * square, 2.0 * square);  // blows
     if (!std::isfinite(product)) continue;
+    const double left = actual - predicted;
     product_[i] += share * (product - product_[i]);
     square_[i] += share * (square - square_[i]);
+    rest_[i] += share * (left * left - rest_[i]);
   }
   actualBefore_ = velocity;
   predictedBefore_ = predicted_;
   findFreedom();
 }
 
+// Held still, the ship leaves as much as was predicted; more than that is of other motions.
 void PredictedMotion::findFreedom() noexcept {
-  const Vec3 ratio = (product_ + negligible_).cwiseQuotient(square_ + negligible_).array() - kHeld;
-  freedom_ = (ratio / (kFree - kHeld)).cwiseMax(0.0).cwiseMin(1.0);
+  for (int i = 0; i < 3; ++i) {
+    const double doubt = negligible_[i] + kDoubt * std::max(0.0, rest_[i] - square_[i]);
+    const double alike = (product_[i] + doubt) / (square_[i] + doubt);
+    const double nearly = kAlike + (alike - kAlike) * (1.0 - kAlike) / (kFree - kAlike);
+    freedom_[i] = std::clamp(alike < kAlike ? alike : nearly, 0.0, 1.0);
+  }
+}
+
+// As if it had moved as predicted for ever.
+void PredictedMotion::expectToFollow(const Way& way) noexcept {
+  square_.setZero();
+  rest_.setZero();
+  for (std::size_t i = 0; i < madeFor_.size(); ++i) {
+    const Block& block = blocks_[i / 4];
+    const double rate = metAt(i, way);
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double re = rate * block.re[Velocity + j][i % 4];
+      const double im = rate * block.im[Velocity + j][i % 4];
+      square_[static_cast<int>(j)] += 0.5 * (re * re + im * im);
+    }
+  }
+  product_ = square_;
+  findFreedom();
+}
+
+double PredictedMotion::metAt(std::size_t component, const Way& way) const noexcept {
+  const WaveComponent& wave = tables_->sea().components()[component];
+  const double beta = wave.heading + way.heading;
+  return wave.omega - tables_->sea().waveNumber(component) * (way.through.ahead * std::cos(beta) -
+                                                              way.through.leeway * std::sin(beta));
 }
 
 void PredictedMotion::set(std::size_t component, std::size_t channel, Complex value) noexcept {
@@ -139,6 +180,15 @@ void PredictedMotion::setAnswer(std::size_t component, double omega, const Way& 
   const double share = parts_.water ? response_.share(omega) : 0.0;
   FreeResponse::Answer answer{CVec6::Zero(), CVec6::Zero()};
   if (share > kNoShare) answer = response_.at(omega, way.through, force, parts_);
+  // Near a resonance of a way that no ship can have.
+  const double k = tables_->sea().waveNumber(component);
+  const double size =
+      share * std::max({std::abs(answer.motion[Surge]), std::abs(answer.motion[Sway]),
+                        std::abs(answer.motion[Yaw]) / k});
+  if (size > kLargest) {
+    answer.motion *= kLargest / size;
+    answer.momentum *= kLargest / size;
+  }
   const Complex rate(0.0, omega);
   for (std::size_t j = 0; j < 3; ++j) {
     const int mode = j == 2 ? Yaw : static_cast<int>(j);
@@ -154,7 +204,11 @@ void PredictedMotion::renew(std::size_t component, const Way& way) noexcept {
   const double k = tables_->sea().waveNumber(component), beta = wave.heading + way.heading;
   const double U = way.through.ahead, V = way.through.leeway;
   const CVec6 incident = table_->froudeKrylov(component, way.heading);
-  const CVec6 thrownBack = table_->diffraction(component, way.heading, U, V);
+  const double met = metAt(component, way);
+  CVec6 thrownBack = table_->diffraction(component, way.heading, U, V);
+  // −V × R p_F of the water that diffraction moves; the term of U is in Tuck's form.
+  if (std::abs(met) > kSlowest * wave.omega)
+    thrownBack[Yaw] -= V * thrownBack[Surge] / Complex(0.0, met);
   const auto orbital = response_.lift().orbital(wave.omega, k, beta);
   CVec6 force = CVec6::Zero();
   if (parts_.froudeKrylov) force += incident;
@@ -163,7 +217,7 @@ void PredictedMotion::renew(std::size_t component, const Way& way) noexcept {
     force[Sway] += std::abs(U) * response_.lift().side * orbital.side;
     force[Yaw] += std::abs(U) * response_.lift().turn * orbital.turn;
   }
-  setAnswer(component, wave.omega - k * (U * std::cos(beta) - V * std::sin(beta)), way, force);
+  setAnswer(component, met, way, force);
   set(component, OrbitalAcross, orbital.side);
   set(component, OrbitalAcross + 1, orbital.turn);
   for (std::size_t j = 0; j < 6; ++j) {
@@ -173,15 +227,13 @@ void PredictedMotion::renew(std::size_t component, const Way& way) noexcept {
   madeFor_[component] = way;
 }
 
-void PredictedMotion::renewAll(const Way& way) noexcept {
-  next_ = 0;
-  product_.setZero();
-  square_.setZero();
-  freedom_.setOnes();
+void PredictedMotion::renewAll(const Way& way, bool exactly) noexcept {
+  if (exactly) next_ = 0;
   if (!finite(way)) return;
   for (std::size_t i = 0; i < madeFor_.size(); ++i) {
-    if (!same(madeFor_[i], way)) renew(i, way);
+    if (!(exactly ? same(madeFor_[i], way) : nearEnough(madeFor_[i], way))) renew(i, way);
   }
+  expectToFollow(way);
 }
 
 void PredictedMotion::follow(const Way& way, double turnRate, double step) noexcept {
@@ -206,8 +258,9 @@ void PredictedMotion::follow(const Way& way, double turnRate, double step) noexc
 
 void PredictedMotion::save(std::span<double> state) const noexcept {
   state[0] = static_cast<double>(next_);
-  auto at = state.begin() + 1;
-  for (const Vec3* own : {&actualBefore_, &predictedBefore_, &product_, &square_})
+  state[1] = seaKey_;
+  auto at = state.begin() + 2;
+  for (const Vec3* own : {&actualBefore_, &predictedBefore_, &product_, &square_, &rest_})
     at = std::copy(own->begin(), own->end(), at);
   for (const Way& way : madeFor_) {
     *at++ = way.heading;
@@ -218,14 +271,14 @@ void PredictedMotion::save(std::span<double> state) const noexcept {
 
 bool PredictedMotion::fits(std::span<const double> state) const noexcept {
   const auto count = static_cast<double>(std::max<std::size_t>(1, madeFor_.size()));
-  return state.size() == stateSize() && state[0] >= 0.0 && state[0] < count;
+  return state.size() == stateSize() && state[0] >= 0.0 && state[0] < count && state[1] == seaKey_;
 }
 
 // Before its first tick a ship's amplitudes belong to no way.
 void PredictedMotion::restore(std::span<const double> state) noexcept {
   next_ = static_cast<std::size_t>(state[0]);
-  auto at = state.begin() + 1;
-  for (Vec3* own : {&actualBefore_, &predictedBefore_, &product_, &square_}) {
+  auto at = state.begin() + 2;
+  for (Vec3* own : {&actualBefore_, &predictedBefore_, &product_, &square_, &rest_}) {
     std::copy_n(at, 3, own->begin());
     at += 3;
   }

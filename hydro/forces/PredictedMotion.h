@@ -19,8 +19,9 @@ namespace cutwater {
 ///
 /// A ship that is held, by a berth, the ground or a clamp, does not move so. Of surge, sway and yaw
 /// each the mean product of actual and predicted acceleration, over the mean square of the
-/// predicted one, says how far the ship is free to follow: above 0.7 the prediction counts whole,
-/// below 0.4 not at all. One ship's; one thread.
+/// predicted one, says how far the ship follows. As far the prediction counts; whole from 0.85 on.
+/// Where the rest of the acceleration is larger than the prediction, it says little and is believed
+/// little. One ship's; one thread.
 class PredictedMotion {
  public:
   /// Slow heading [rad] and way for which amplitudes are made.
@@ -44,8 +45,9 @@ class PredictedMotion {
 
   /// Other parts act from now on: all amplitudes anew.
   void setParts(const ActiveParts& parts) noexcept;
-  /// All amplitudes for this way.
-  void renewAll(const Way& way) noexcept;
+  /// All amplitudes for this way, of a ship that is free to follow.
+  /// @param exactly  false: those that are near enough may stay.
+  void renewAll(const Way& way, bool exactly = true) noexcept;
   /// Some of them, at a tick of `step` [s].  @param turnRate  [rad/s].
   void follow(const Way& way, double turnRate, double step) noexcept;
 
@@ -68,7 +70,7 @@ class PredictedMotion {
   void restore(std::span<const double> state) noexcept;
 
  private:
-  static constexpr std::size_t kOwnState = 1 + 12;
+  static constexpr std::size_t kOwnState = 2 + 15;
   static constexpr std::size_t kChannels = 22;
   /// Amplitudes of four components.
   struct alignas(32) Block {
@@ -77,6 +79,8 @@ class PredictedMotion {
   static void sumOf(std::span<const Block> blocks, std::span<const Phasors4> phasors,
                     std::size_t channels, double* sums) noexcept;
   void findFreedom() noexcept;
+  void expectToFollow(const Way& way) noexcept;
+  double metAt(std::size_t component, const Way& way) const noexcept;
   void renew(std::size_t component, const Way& way) noexcept;
   void set(std::size_t component, std::size_t channel, Complex value) noexcept;
   void setAnswer(std::size_t component, double omega, const Way& way, const CVec6& force) noexcept;
@@ -94,8 +98,10 @@ class PredictedMotion {
   Vec3 actualBefore_ = Vec3::Zero(), predictedBefore_ = Vec3::Zero();  // velocities
   Vec3 product_ = Vec3::Zero(), square_ = Vec3::Zero();                // of accelerations, means
   Vec3 freedom_ = Vec3::Ones();
-  Vec3 negligible_;  // square of an acceleration that tells nothing
-  double patience_;  // [s]
+  Vec3 negligible_;           // square of an acceleration that tells nothing
+  Vec3 rest_ = Vec3::Zero();  // square of the actual less the predicted one, mean
+  double patience_;           // [s]
+  double seaKey_;             // of the waves
 };
 
 }  // namespace cutwater

@@ -45,7 +45,7 @@ struct SpeedKeeper {
 /// Holds a heading by a moment about G, or, of a ship that has a rudder, by the rudder angle that
 /// would make that moment, δ = N / (dN/dδ), with dN/dδ at least I'ν²:
 ///     N = k e − 2√(k I') r,   e = heading wanted − heading now,   I' = I_66 + A_66(∞),
-///     k = I'ν² + U² A_22(∞),   |N| ≤ limit
+///     k = I'ν² + U² a,   |N| ≤ limit,   a = A_22(∞), of a free ship 1.5 (A_22 − A_11)(0)
 /// The last term of k acts against the Munk moment that turns a hull without rudder broadside on. A
 /// free ship's heading is that of its slow motion: its yaw in waves is not answered.
 struct CourseKeeper {

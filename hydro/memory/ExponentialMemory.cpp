@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "hydro/Errors.h"
@@ -77,14 +78,20 @@ void ExponentialMemory::lookAhead(double half) noexcept {
   if (half == half_) return;
   half_ = half;
   newest_.setZero();
+  std::array<Complex, ExponentialSum::kMostPoles> later, gain;
+  for (std::size_t m = 0; m < sum_.size(); ++m) {
+    const Complex s = sum_.poles()[m];
+    later[m] = std::exp(s * half);
+    gain[m] = (later[m] - 1.0) / s;
+  }
+  const std::vector<double>& runs = sum_.momentumRuns();
   std::size_t at = 0;
   for (const ExponentialSum::Pair& pair : sum_.pairs()) {
     for (std::size_t m = 0; m < sum_.size(); ++m) {
-      const Complex s = sum_.poles()[m], e = std::exp(s * half), residue = pair.atRest[m] / s;
-      const Complex later = residue * e;
-      halfRuns_[at + m] = later.real();
-      halfRuns_[at + width_ + m] = -later.imag();
-      newest_(pair.j, pair.k) += (residue * (e - 1.0) / s).real();
+      const Complex residue(runs[at + m], -runs[at + width_ + m]), ahead = residue * later[m];
+      halfRuns_[at + m] = ahead.real();
+      halfRuns_[at + width_ + m] = -ahead.imag();
+      newest_(pair.j, pair.k) += (residue * gain[m]).real();
     }
     at += 2 * width_;
   }

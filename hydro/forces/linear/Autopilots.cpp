@@ -12,6 +12,7 @@ namespace cutwater {
 namespace {
 
 constexpr double kThrustOfWeight = 0.03, kMomentOfWeight = 0.02;
+constexpr double kAgainstMunk = 1.5;
 
 void check(bool good, const char* what, double value) {
   if (good && std::isfinite(value)) return;
@@ -25,11 +26,17 @@ Autopilots::Autopilots(const ShipParticulars& ship, const Mat6& addedMassInf, do
                        bool free)
     : massSurge_(ship.mass + addedMassInf(Surge, Surge)),
       inertia_(ship.massMatrix()(Yaw, Yaw) + addedMassInf(Yaw, Yaw)),
-      addedSway_(addedMassInf(Sway, Sway)),
       weight_(ship.mass * ship.gravity),
       length_(length),
+      munk_(addedMassInf(Sway, Sway)),
       free_(free) {
   check(length > 0.0, "length", length);
+}
+
+Autopilots::Autopilots(const Coefficients& c, double length)
+    : Autopilots(c.ship, c.addedMass.atInfinity, length, true) {
+  const Mat6& atRest = c.addedMass.atZero;
+  munk_ = kAgainstMunk * std::max(0.0, atRest(Sway, Sway) - atRest(Surge, Surge));
 }
 
 void Autopilots::hold(const SpeedKeeper& speed, double drag) {
@@ -71,7 +78,7 @@ double Autopilots::thrust(double speedNow, double lastStep) noexcept {
 }
 
 double Autopilots::moment(double error, double rate, double speed) const noexcept {
-  const double stiffness = inertia_ * course_.rate * course_.rate + addedSway_ * speed * speed;
+  const double stiffness = inertia_ * course_.rate * course_.rate + munk_ * speed * speed;
   return std::clamp(stiffness * error - 2.0 * std::sqrt(stiffness * inertia_) * rate,
                     -course_.maxMoment, course_.maxMoment);
 }

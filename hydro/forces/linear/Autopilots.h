@@ -7,6 +7,7 @@
 
 namespace cutwater {
 
+struct Coefficients;
 struct ShipParticulars;
 
 /// Two simple autopilots: one holds a speed (SpeedKeeper), one a heading (CourseKeeper).
@@ -19,6 +20,8 @@ class Autopilots final : public ForceGenerator {
   /// @param free  Mean::Free: they see the slow motion.
   Autopilots(const ShipParticulars& ship, const Mat6& addedMassInf, double length,
              bool free = false);
+  /// Of a free ship.
+  Autopilots(const Coefficients& coefficients, double length);
 
   /// @param drag  that the ship is expected to have at that speed [N], negative astern: thrust to
   ///   begin with.
@@ -54,7 +57,8 @@ class Autopilots final : public ForceGenerator {
   void orderEngine(double thrust, double speed) noexcept;
   void orderRudder(double moment) noexcept;
 
-  double massSurge_, inertia_, addedSway_, weight_, length_;
+  double massSurge_, inertia_, weight_, length_;
+  double munk_;  // moment per U² and radian of leeway against which a course is held [kg]
   bool free_;
   std::shared_ptr<Helm> helm_;
   SpeedKeeper speed_;

@@ -77,10 +77,9 @@ Wrench FreeRadiation::evaluate(const TickInput& now) noexcept {
                    (1.0 - share) * momentum_);
   const Vec6 rate = (before - after) / now.step;
 
-  // V × R p_F at t_n, between the two.
-  const Vec6& nu = now.ownVelocityNow;
-  const Vec6 p = model_->addedMassInf() * nu + 0.5 * (before + after);
-  const Vec3 cross = share * (own * nu.head<3>().cross(p.head<3>()));
+  // V × R q_F at t_n, between the two.
+  const Vec3 q = 0.5 * (before + after).head<3>();
+  const Vec3 cross = share * (own * now.ownVelocityNow.head<3>().cross(q));
   Vec3 moment = generalisedMoment(own, own * rate.tail<3>());
   moment[1] -= own.col(1).dot(cross) - share * steadyTrim(now);
   moment[2] -= cross.z() - meanYaw(now);

@@ -16,8 +16,8 @@ class RadiationModel;
 ///     p = A^∞ν + q,   q = ∫₀^∞ L⁰(τ) ν(t − τ) dτ,   L⁰(τ) = ∫₀^τ K⁰
 ///     force = −d(R p_F)/dt,   moment = −d(R p_M)/dt − V × R p_F
 /// where the own x part of both cross terms is left out, as R does not roll. Nothing here is slow
-/// or filtered, so that the cross terms do no work and the force has no mean. −d(R A^∞ν)/dt is left
-/// to the engine's solver; V × R p_F is whole. Its mean yaw moment in waves, of second order, is
+/// or filtered, so that the cross terms do no work and the force has no mean. This part has the
+/// terms of q; those of A^∞ν, one of them by the engine's solver, are the part added_mass. Its mean yaw moment in waves, of second order, is
 /// taken off as the ship's predicted motion has it, and so is the steady trim of its way.
 ///                                                             THEORY.md, The free ship
 ///
