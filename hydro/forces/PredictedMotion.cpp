@@ -23,6 +23,7 @@ constexpr double kAlike = 0.7, kFree = 0.85;              // of what is predicte
 constexpr double kDoubt = 3.0;                            // of what is not
 constexpr double kLargest = 10.0;                         // answer to a wave [m/m], beyond any
 constexpr double kSlowest = 1e-3;                         // of ω
+constexpr double kFast = 0.9;      // share of what is compared with the actual motion
 constexpr double kNoShare = 1e-9;  // of w: met too slowly to be told from a steady motion
 
 // Channels of a block.
@@ -32,7 +33,8 @@ enum Channel : std::size_t {
   MomentumAhead = 6,  // and across
   OrbitalAcross = 8,  // and turn
   FroudeKrylov = 10,
-  Diffraction = 16
+  Diffraction = 16,
+  Compared = 22  // accelerations of x, y, ψ by waves that are met fast
 };
 
 bool nearEnough(const PredictedMotion::Way& a, const PredictedMotion::Way& b) {
@@ -105,9 +107,9 @@ void PredictedMotion::sum(std::span<const Phasors4> phasors, double ramp) noexce
   Eigen::Matrix<double, kChannels, 1> sums;
   sumOf(blocks_, phasors, kChannels, sums.data());
   sums *= ramp;
-  predicted_ = sums.segment<3>(Velocity);
+  predicted_ = sums.segment<3>(Compared);
   now_.displacement = freedom_.cwiseProduct(sums.segment<3>(Displacement));
-  now_.velocity = freedom_.cwiseProduct(predicted_);
+  now_.velocity = freedom_.cwiseProduct(sums.segment<3>(Velocity));
   now_.momentumAhead = freedom_[0] * sums[MomentumAhead];
   now_.momentumAcross = freedom_[1] * sums[MomentumAhead + 1];
   now_.orbitalAcross = sums[OrbitalAcross];
@@ -120,24 +122,24 @@ void PredictedMotion::compare(const Vec3& velocity, double step, bool begins) no
   const double share = std::min(1.0, step / patience_);
   for (int i = 0; i < 3 && !begins; ++i) {
     const double actual = (velocity[i] - actualBefore_[i]) / step;
-    const double predicted = (predicted_[i] - predictedBefore_[i]) / step;
+    const double predicted = predicted_[i];
     const double square = predicted * predicted;
     const double product = std::clamp(actual * predicted, -2.0 * square, 2.0 * square);  // blows
     if (!std::isfinite(product)) continue;
-    const double left = actual - predicted;
     product_[i] += share * (product - product_[i]);
     square_[i] += share * (square - square_[i]);
-    rest_[i] += share * (left * left - rest_[i]);
+    actual_[i] += share * (actual * actual - actual_[i]);
   }
   actualBefore_ = velocity;
-  predictedBefore_ = predicted_;
   findFreedom();
 }
 
-// Held still, the ship leaves as much as was predicted; more than that is of other motions.
+// What of the actual acceleration has nothing to do with the predicted one hides it if it is larger.
 void PredictedMotion::findFreedom() noexcept {
   for (int i = 0; i < 3; ++i) {
-    const double doubt = negligible_[i] + kDoubt * std::max(0.0, rest_[i] - square_[i]);
+    const double explained = square_[i] > 0.0 ? product_[i] * product_[i] / square_[i] : 0.0;
+    const double other = std::max(0.0, actual_[i] - explained);
+    const double doubt = negligible_[i] + kDoubt * std::max(0.0, other - square_[i]);
     const double alike = (product_[i] + doubt) / (square_[i] + doubt);
     const double nearly = kAlike + (alike - kAlike) * (1.0 - kAlike) / (kFree - kAlike);
     freedom_[i] = std::clamp(alike < kAlike ? alike : nearly, 0.0, 1.0);
@@ -145,19 +147,15 @@ void PredictedMotion::findFreedom() noexcept {
 }
 
 // As if it had moved as predicted for ever.
-void PredictedMotion::expectToFollow(const Way& way) noexcept {
+void PredictedMotion::expectToFollow() noexcept {
   square_.setZero();
-  rest_.setZero();
-  for (std::size_t i = 0; i < madeFor_.size(); ++i) {
-    const Block& block = blocks_[i / 4];
-    const double rate = metAt(i, way);
-    for (std::size_t j = 0; j < 3; ++j) {
-      const double re = rate * block.re[Velocity + j][i % 4];
-      const double im = rate * block.im[Velocity + j][i % 4];
-      square_[static_cast<int>(j)] += 0.5 * (re * re + im * im);
+  for (const Block& block : blocks_) {
+    for (std::size_t j = 0; j < 12; ++j) {
+      const double re = block.re[Compared + j / 4][j % 4], im = block.im[Compared + j / 4][j % 4];
+      square_[static_cast<int>(j / 4)] += 0.5 * (re * re + im * im);
     }
   }
-  product_ = square_;
+  product_ = actual_ = square_;
   findFreedom();
 }
 
@@ -193,7 +191,9 @@ void PredictedMotion::setAnswer(std::size_t component, double omega, const Way& 
   for (std::size_t j = 0; j < 3; ++j) {
     const int mode = j == 2 ? Yaw : static_cast<int>(j);
     set(component, Displacement + j, share * answer.motion[mode]);
-    set(component, Velocity + j, share * rate * answer.motion[mode]);
+    const Complex velocity = share * rate * answer.motion[mode];
+    set(component, Velocity + j, velocity);
+    set(component, Compared + j, share > kFast ? rate * velocity : Complex(0.0));
   }
   for (std::size_t j = 0; j < 2; ++j)
     set(component, MomentumAhead + j, share * answer.momentum[static_cast<int>(j)]);
@@ -233,7 +233,7 @@ void PredictedMotion::renewAll(const Way& way, bool exactly) noexcept {
   for (std::size_t i = 0; i < madeFor_.size(); ++i) {
     if (!(exactly ? same(madeFor_[i], way) : nearEnough(madeFor_[i], way))) renew(i, way);
   }
-  expectToFollow(way);
+  expectToFollow();
 }
 
 void PredictedMotion::follow(const Way& way, double turnRate, double step) noexcept {
@@ -260,7 +260,7 @@ void PredictedMotion::save(std::span<double> state) const noexcept {
   state[0] = static_cast<double>(next_);
   state[1] = seaKey_;
   auto at = state.begin() + 2;
-  for (const Vec3* own : {&actualBefore_, &predictedBefore_, &product_, &square_, &rest_})
+  for (const Vec3* own : {&actualBefore_, &product_, &square_, &actual_})
     at = std::copy(own->begin(), own->end(), at);
   for (const Way& way : madeFor_) {
     *at++ = way.heading;
@@ -278,7 +278,7 @@ bool PredictedMotion::fits(std::span<const double> state) const noexcept {
 void PredictedMotion::restore(std::span<const double> state) noexcept {
   next_ = static_cast<std::size_t>(state[0]);
   auto at = state.begin() + 2;
-  for (Vec3* own : {&actualBefore_, &predictedBefore_, &product_, &square_, &rest_}) {
+  for (Vec3* own : {&actualBefore_, &product_, &square_, &actual_}) {
     std::copy_n(at, 3, own->begin());
     at += 3;
   }

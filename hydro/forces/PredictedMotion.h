@@ -70,8 +70,8 @@ class PredictedMotion {
   void restore(std::span<const double> state) noexcept;
 
  private:
-  static constexpr std::size_t kOwnState = 2 + 15;
-  static constexpr std::size_t kChannels = 22;
+  static constexpr std::size_t kOwnState = 2 + 12;
+  static constexpr std::size_t kChannels = 25;
   /// Amplitudes of four components.
   struct alignas(32) Block {
     std::array<std::array<double, 4>, kChannels> re{}, im{};
@@ -79,7 +79,7 @@ class PredictedMotion {
   static void sumOf(std::span<const Block> blocks, std::span<const Phasors4> phasors,
                     std::size_t channels, double* sums) noexcept;
   void findFreedom() noexcept;
-  void expectToFollow(const Way& way) noexcept;
+  void expectToFollow() noexcept;
   double metAt(std::size_t component, const Way& way) const noexcept;
   void renew(std::size_t component, const Way& way) noexcept;
   void set(std::size_t component, std::size_t channel, Complex value) noexcept;
@@ -94,14 +94,14 @@ class PredictedMotion {
   std::size_t next_ = 0;      // the component to be looked at next
   Sums now_;
   // How free the ship is to follow, of surge, sway and yaw.
-  Vec3 predicted_ = Vec3::Zero();
-  Vec3 actualBefore_ = Vec3::Zero(), predictedBefore_ = Vec3::Zero();  // velocities
-  Vec3 product_ = Vec3::Zero(), square_ = Vec3::Zero();                // of accelerations, means
+  Vec3 predicted_ = Vec3::Zero();                        // acceleration
+  Vec3 actualBefore_ = Vec3::Zero();                     // velocity
+  Vec3 product_ = Vec3::Zero(), square_ = Vec3::Zero();  // of accelerations, means
   Vec3 freedom_ = Vec3::Ones();
-  Vec3 negligible_;           // square of an acceleration that tells nothing
-  Vec3 rest_ = Vec3::Zero();  // square of the actual less the predicted one, mean
-  double patience_;           // [s]
-  double seaKey_;             // of the waves
+  Vec3 negligible_;             // square of an acceleration that tells nothing
+  Vec3 actual_ = Vec3::Zero();  // square of the actual one, mean
+  double patience_;             // [s]
+  double seaKey_;               // of the waves
 };
 
 }  // namespace cutwater

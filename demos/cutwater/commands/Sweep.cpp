@@ -25,6 +25,7 @@ double encounterOf(const RunFile& run, const Coefficients& coefficients, std::si
                             coefficients.ship.gravity);
 }
 
+constexpr double kOtherWay = 0.01;    // of the encounter frequency
 constexpr double kLargestRest = 0.5;  // of the harmonic: r.m.s. of what a fit may leave
 
 // What one wave gave.
@@ -72,13 +73,25 @@ std::vector<double> phasesOf(const RunFile& run, std::size_t index, double gravi
 void fit(const RunFile& run, std::size_t index, double gravity, const Motions& motion,
          WaveRun& result) {
   const std::vector<double> phase = phasesOf(run, index, gravity, motion);
+  const double nominal =
+      encounterFrequency(run.omega[index], run.start.speed, run.heading, gravity);
+  const double met = (phase.back() - phase.front()) / (motion.time.back() - motion.time.front());
+  if (std::abs(met - nominal) > kOtherWay * std::abs(nominal)) {
+    result.ranAway = fmt::format(
+        "the ship did not keep its way and met the waves at {:.4g} instead "
+        "of {:.4g} rad/s (keep_speed, keep_course, resistance = false)",
+        met, nominal);
+    return;
+  }
   const double k = run.omega[index] * run.omega[index] / gravity;
   for (std::size_t j = 0; j < 6; ++j) {
     const HarmonicFit found = harmonicFit(phase, motion.time, motion.of[j]);
     const double usual = run.amplitude * (j < 3 ? 1.0 : k);
     const double size = std::max(std::abs(found.amplitude), usual) / std::sqrt(2.0);
     if (found.rest > kLargestRest * size) {
-      result.ranAway += std::string(result.ranAway.empty() ? "" : ", ") + kModeNames[j];
+      result.ranAway +=
+          std::string(result.ranAway.empty() ? "no harmonic is the motion in " : ", ") +
+          kModeNames[j];
     } else {
       result.amplitude[static_cast<int>(j)] =
           found.amplitude / std::polar(run.amplitude, run.phase);
