@@ -32,7 +32,8 @@ PredictedMotion::Sums directly(const Predicted& ship, const Way& way, double t, 
     const double beta = wave.heading + way.heading;
     const double met = wave.omega - k * (U * std::cos(beta) - V * std::sin(beta));
     const CVec6 incident = table.froudeKrylov(i, way.heading);
-    const CVec6 scattered = table.diffraction(i, way.heading, U, V);
+    CVec6 scattered = table.diffraction(i, way.heading, U, V);
+    scattered[Yaw] -= V * scattered[Surge] / Complex(0.0, met);
     const auto water = response.lift().orbital(wave.omega, k, beta);
     CVec6 force = incident + scattered;
     force[Sway] += std::abs(U) * response.lift().side * water.side;

@@ -90,7 +90,7 @@ void fit(const RunFile& run, std::size_t index, double gravity, const Motions& m
     const double size = std::max(std::abs(found.amplitude), usual) / std::sqrt(2.0);
     if (found.rest > kLargestRest * size) {
       result.ranAway +=
-          std::string(result.ranAway.empty() ? "no harmonic is the motion in " : ", ") +
+          std::string(result.ranAway.empty() ? "the motion is no harmonic in " : ", ") +
           kModeNames[j];
     } else {
       result.amplitude[static_cast<int>(j)] =
