@@ -1,7 +1,7 @@
 // The ship at 20 knots overtakes a sea from astern: following_seas DATABASE.h5 [OUT.csv]
 // Look for: crests pass from bow to stern (wave_bow leads wave_stern) though they travel the ship's
 // way, because the encounter frequency is negative, here that of roll. Heave and roll settle to the
-// frequency domain.
+// frequency domain. The course is fixed, as in a towing tank, so that the speed is exact.
 #include "demos/scenes/DemoShip.h"
 #include "hydro/response/FrequencyResponse.h"
 
@@ -17,6 +17,7 @@ static bool run(const Coefficients& frigate, DemoTable& table) {
                 SeaState({{omega, amplitude, 0.0, heading}}, frigate.ship.gravity, 60.0));
   ShipSettings settings;
   settings.start.speed = speed;
+  settings.model.mean = Mean::Fixed;
   Ship& ship = seaway.addShip(frigate, settings);
 
   // η̂ of η = Re{η̂ e^{iω′t}} over ten encounters: waves 5 m before and behind G, heave, roll.

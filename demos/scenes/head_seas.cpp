@@ -1,6 +1,7 @@
-// The ship in a regular head sea: head_seas DATABASE.h5 [OUT.csv]
-// Look for: heave and pitch settle to the frequency domain's amplitudes; sway, roll and yaw stay
-// zero.
+// A free ship in a regular head sea: head_seas DATABASE.h5 [OUT.csv]
+// Look for: surge, heave and pitch settle to the amplitudes of the frequency domain of a free ship;
+// sway, roll and yaw stay zero. Nothing holds the ship at its place, and first-order waves do not
+// push it away either: it stays there.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -29,12 +30,15 @@ int main(int argc, char** argv) try {
     bullet.world.stepSimulation(tick, 1, tick);
     if (seaway.time() > settled) largest = largest.cwiseMax(ship.motion().cwiseAbs());
   }
-  const CVec6 expected = amplitude * FrequencyResponse(frigate).at(omega, kPi);
+  const CVec6 expected =
+      amplitude * FrequencyResponse(frigate, FrequencyResponse::Free{}).at(omega, kPi);
+  const Vec3 at = ship.position();
   std::printf("mode    Bullet    frequency domain\n");
   for (int j = 0; j < 6; ++j) {
     std::printf("%-6s %9.6f %9.6f %s\n", kModeNames[j], largest[j], std::abs(expected[j]),
                 j < 3 ? "m" : "rad");
   }
+  std::printf("away from the start by %.3f m\n", std::hypot(at.x(), at.y()));
   if (argc > 2) recorder.write(argv[2]);
   const auto near = [&](int j) {
     return std::abs(largest[j] / std::abs(expected[j]) - 1.0) < 0.02;

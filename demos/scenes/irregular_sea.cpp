@@ -1,5 +1,6 @@
 // The ship in a JONSWAP sea from 150 deg, half an hour: irregular_sea DATABASE.h5 [OUT.csv]
 // Look for: the standard deviation of each motion is that of the frequency domain, Σ ½ |RAO a|².
+// The course is fixed: a free ship without way would turn by and by, and meet another sea.
 #include <cmath>
 #include <cstdio>
 
@@ -24,7 +25,7 @@ int main(int argc, char** argv) try {
   const SeaState sea = makeSeaState(spectrum, settings);
   BulletWorld bullet(frigate.ship.gravity);
   Seaway seaway(bullet.world, sea);
-  Ship& ship = seaway.addShip(frigate);
+  Ship& ship = seaway.addShip(frigate, {.model = {.mean = Mean::Fixed}});
   Recorder recorder(seaway, ship, {.every = 5});
 
   const double tick = 0.02, settled = 200.0, duration = 2000.0;
