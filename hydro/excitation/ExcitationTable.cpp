@@ -1,8 +1,9 @@
 #include "hydro/excitation/ExcitationTable.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "hydro/Errors.h"
 #include "hydro/base/ParallelFor.h"
@@ -102,10 +103,11 @@ void ExcitationTable::checkComponents(const CoefficientTables& c) const {
   for (std::size_t i = 0; i < sea_.components().size(); ++i) {
     const double omega = sea_.components()[i].omega;
     if (omega <= c.omega.back() * (1.0 + 1e-9)) continue;
-    throw HydroError(Fault::ValueOutOfRange,
-                     "ExcitationTable: wave component " + std::to_string(i) +
-                         ": omega = " + std::to_string(omega) +
-                         " rad/s is above the database's last, " + std::to_string(c.omega.back()));
+    throw HydroError(
+        Fault::ValueOutOfRange,
+        fmt::format("ExcitationTable: wave component {}: omega = {:.6g} rad/s is above "
+                    "the database's last, {:.6g}",
+                    i, omega, c.omega.back()));
   }
 }
 

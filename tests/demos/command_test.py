@@ -168,7 +168,7 @@ lid = false
         rows = table("simulate", run, "--forces")
         expected = "t x y z roll_deg pitch_deg yaw_deg u v w p q r wave".split()
         for part in ("gravity restoring froude_krylov diffraction radiation added_mass "
-                     "supplementary autopilots").split():
+                     "supplementary autopilots hull_lift resistance").split():
             expected += [f"{part}_F{i}" for i in range(1, 7)]
         self.assertEqual(list(rows[0]), expected)
         self.assertEqual(len(rows), 201)
@@ -178,7 +178,8 @@ lid = false
         self.assertAlmostEqual(float(rows[-1]["wave"]), math.cos(0.8 * 4.0), delta=0.01)
 
     def test_outside_the_theory_it_goes_on_and_says_so_once(self):
-        run = self.path("run.toml", RUN + "[motion]\nstart = { x = 5000.0, z = 40.0 }\n")
+        run = self.path("run.toml", RUN + "[motion]\nmean = \"fixed\"\n"
+                        "start = { x = 5000.0, z = 40.0 }\n")
         done = call("simulate", run)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(len(done.stdout.splitlines()), 202)
@@ -288,6 +289,79 @@ forward_speed = "report"
         # Radiation needs no table: A and B of either form are there.
         self.assertNotEqual(table("coefficients", database, "--speed", "5"),
                             table("coefficients", database, "--speed", "5", "--form", "tuck"))
+
+
+class FreeShip(Files):
+    """A ship on no course: `rao --free` beside `sweep` with mean = "free"."""
+
+    SWEEP = RUN.replace("omega = 0.8", "omega = [0.8]\namplitude = 0.01").replace(
+        "duration = 4.0", "duration = 600.0").replace("ramp = 1.0", "ramp = 60.0")
+
+    def test_a_sweep_of_a_free_ship_stands_beside_rao_free(self):
+        # The helmsman answers the slow motion alone: without him the ship would not keep its course
+        # for ten minutes. Drag is in neither.
+        run = self.path("w.toml", self.SWEEP + """[motion]
+mean = "free"
+speed = 5.0
+heading_deg = 150.0
+resistance = false
+keep_course = true
+""")
+        rows = table("sweep", run)
+        free = ["rao", DATABASE, "--free", "--speed", "5", "--heading", "150", "--omega"]
+        expected = table(*free, "0.8:0.8:1")
+        self.assertEqual(len(rows), 6)
+        for row, of_rao in zip(rows, expected):
+            self.assertEqual(row["freq_amplitude"], of_rao["amplitude"])
+            self.assertEqual(row["freq_phase_deg"], of_rao["phase_deg"])
+            # What the project accepts of a free ship: 1 % and 3 degrees.
+            ratio = float(row["time_amplitude"]) / float(of_rao["amplitude"])
+            self.assertAlmostEqual(ratio, 1, delta=0.01, msg=row)
+            off = float(row["time_phase_deg"]) - float(of_rao["phase_deg"])
+            self.assertLess(abs((off + 180) % 360 - 180), 3.0, row)
+        fixed = table("rao", *free[1:2], *free[3:], "0.8:0.8:1")
+        self.assertNotEqual([row["amplitude"] for row in fixed],
+                            [row["amplitude"] for row in expected])
+        self.refused([*free, "0.8:0.8:1", "--form", "report"], "--free", "Tuck", code=2)
+
+    def test_a_yaw_that_nothing_holds_is_warned_of(self):
+        """The frigate without the yaw stiffness that stands for a helmsman."""
+        ship = self.path("s.toml", SHIP + """[solve]
+omega = { from = 0.1, to = 4.0, step = 0.1 }
+[supplementary]
+roll_damping = 2.0e7
+""")
+        database = self.path("s.h5")
+        self.assertEqual(call("solve", ship, "-o", database).returncode, 0)
+        loose = self.SWEEP.replace(DATABASE, database) + "[motion]\nspeed = 8.0\n"
+
+        def warnings(done):
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return [line for line in done.stderr.splitlines() if "nothing holds the yaw" in line]
+
+        def said(motion):
+            text = loose.replace("[0.8]", "0.8").replace("600.0", "4.0")
+            return warnings(call("simulate", self.path("r.toml", text + motion)))
+
+        done = call("sweep", self.path("w.toml", loose + "heading_deg = 120.0\n"))
+        self.assertEqual(len(warnings(done)), 1)
+        # It turns away; heave and pitch go on as before.
+        lines = [line for line in done.stderr.splitlines() if "no harmonic" in line]
+        self.assertEqual(len(lines), 1, done.stderr)
+        self.assertIn("w.toml: [waves] omega = 0.8: ", lines[0])
+        self.assertIn("yaw", lines[0])
+        rows = list(csv.DictReader(io.StringIO(done.stdout)))
+        self.assertEqual([row["time_amplitude"] == "nan" for row in rows],
+                         [name in lines[0] for name in
+                          "surge sway heave roll pitch yaw".split()])
+        self.assertTrue(all(math.isfinite(float(row["freq_amplitude"])) for row in rows))
+        with_warning = said('mean = "fixed"\n')
+        self.assertEqual(len(with_warning), 1)
+        for word in ("r.toml: [motion] speed = 8 m/s", "yaw_stiffness", "keep_course", "free"):
+            self.assertIn(word, with_warning[0])
+        for held in ('mean = "fixed"\nkeep_course = true\n', 'mean = "fixed"\nrestrain = [6]\n',
+                     'mean = "free"\n'):
+            self.assertEqual(said(held), [])
 
 
 class Loading(Files):
@@ -795,7 +869,12 @@ class Foreign(Files):
         with open(run, encoding="utf-8") as file:
             text = f'ship = "{ship}"\n' + file.read()
         self.heave(self.path("h.toml", text))
-        self.assertEqual(call("simulate", self.run_file(waves="omega = 0.6")).returncode, 0)
+        fixed = 'mean = "fixed"\n'
+        self.assertEqual(call("simulate", self.run_file(fixed + self.BODY, "omega = 0.6")
+                              ).returncode, 0)
+        # Its wave forces are for a few headings, and a free ship may come to any.
+        self.refused(["simulate", self.run_file(waves="omega = 0.6")], "r.toml: ", "gap of 90 deg",
+                     'mean = "fixed"')
         self.refused(["simulate", self.run_file("", "omega = 0.6")], "r.toml: ", "plain.h5",
                      "[body] gyradii", "size")
         both = self.path("both.toml", text + self.BODY)
@@ -937,6 +1016,13 @@ class Errors(Files):
             (RUN.replace("duration = 4.0", "dt = 0"), ["dt", "0"]),
             (RUN.replace("database", "data"), ["database", "missing"]),
             (RUN.replace("0.8", "9.0"), ["omega = 9 rad/s"]),
+            (RUN.replace("0.8", "9.0") + "[motion]\nmean = \"fixed\"\n", ["omega = 9 rad/s"]),
+            (RUN + "[motion]\nmean = \"filtered\"\n",
+             ["r.toml: [motion] mean", "filtered", "free", "fixed"]),
+            (RUN + "[motion]\nfollow_time = 15.0\n", ["r.toml: [motion] follow_time", "no more"]),
+            (RUN + "[motion]\nmean = \"loose\"\n", ["r.toml: [motion] mean", "loose"]),
+            (RUN + "[motion]\nresistance = 0.1\n", ["r.toml: [motion] resistance", "0.1"]),
+            (RUN + "[motion]\nhull_lift = \"on\"\n", ["r.toml: [motion] hull_lift", "on"]),
         ):
             self.refused(["simulate", self.path("r.toml", text)], *words)
 

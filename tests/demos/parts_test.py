@@ -11,7 +11,8 @@ import unittest
 
 COMMAND, DATABASE = (os.path.abspath(a) for a in sys.argv[1:3])
 PARTS = ["gravity", "restoring", "froude_krylov", "diffraction", "radiation", "added_mass",
-         "supplementary", "autopilots"]
+         "supplementary", "autopilots", "hull_lift", "resistance"]
+OF_FREE_SHIPS = ["hull_lift", "resistance"]
 RUN = f"""database = "{DATABASE}"
 [bullet]
 duration = 20.0
@@ -36,11 +37,17 @@ class Parts(unittest.TestCase):
         return list(csv.DictReader(done.stdout.splitlines()))
 
     def test_columns_are_those_of_the_parts_in_order(self):
-        rows = self.rows(self.simulate("", "--forces"))
-        expected = [f"{part}_F{j}" for part in PARTS for j in range(1, 7)]
-        self.assertEqual(list(rows[0])[14:], expected)
-        free = self.rows(self.simulate('mean = "free"\n', "--forces"))
-        self.assertEqual(list(free[0])[14:], expected + [f"hull_lift_F{j}" for j in range(1, 7)])
+        def columns(motion):
+            return list(self.rows(self.simulate(motion, "--forces"))[0])[14:]
+
+        def of(parts):
+            return [f"{part}_F{j}" for part in parts for j in range(1, 7)]
+
+        self.assertEqual(columns(""), of(PARTS))  # a run is of a free ship
+        self.assertEqual(columns('mean = "free"\n'), of(PARTS))
+        fixed = [part for part in PARTS if part not in OF_FREE_SHIPS]
+        self.assertEqual(columns('mean = "fixed"\n'), of(fixed))
+        self.assertEqual(columns("resistance = false\nhull_lift = false\n"), of(fixed))
 
     def test_each_part_says_its_mean_and_what_it_costs(self):
         done = self.simulate("", "--forces")

@@ -99,6 +99,19 @@ void writeRows(const RunFile& run, const Recorder& recorder, RunShip& world,
                   brokenLine(faults), rows, rows == 1 ? "" : "s", rows == 1 ? "is" : "are"));
 }
 
+// A free ship may come to any heading, so that a table of headings has to go all round.
+void placeShip(const RunFile& run, const std::shared_ptr<const Hydrodynamics>& ship,
+               std::optional<RunShip>& made) {
+  try {
+    made.emplace(run, ship);
+  } catch (const HydroError& error) {
+    std::string advice;
+    if (run.model.mean == Mean::Free && ship->coefficients().adjoint.empty())
+      advice = "; a free ship needs all headings: solve them, or set [motion] mean = \"fixed\"";
+    throw HydroError(error.fault(), run.path + ": " + error.what() + advice);
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const Hydrodynamics> hydrodynamicsOf(RunFile& run) {
@@ -121,7 +134,7 @@ void simulate(const std::string& path, bool forces, const std::string& out) {
   }
   const auto ship = hydrodynamicsOf(run);
   std::optional<RunShip> made;
-  naming(path, [&] { made.emplace(run, ship); });
+  placeShip(run, ship, made);
   RunShip& world = *made;
   world.ship().measureCosts(forces);
   Recorder recorder(world.seaway(), world.ship(), {.forces = forces});

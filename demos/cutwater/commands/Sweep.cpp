@@ -178,20 +178,28 @@ void tellFaults(const std::string& path, const std::vector<WaveRun>& waves) {
   throw HydroError(Fault::ValueOutOfRange, path + broken + "; written as nan, the others are good");
 }
 
-// Warns of motions that were no answer to the wave; ends the command if none was.
-void tellRunaways(const RunFile& run, const std::vector<WaveRun>& waves) {
-  bool any = false;
-  bool ran = false;
+// Warns of motions that were no answer to the wave.
+void warnOfRunaways(const RunFile& run, const std::vector<WaveRun>& waves) {
   for (std::size_t i = 0; i < waves.size(); ++i) {
-    ran = ran || !waves[i].ranAway.empty();
-    for (const Complex& answer : waves[i].amplitude) any = any || std::isfinite(answer.real());
     if (waves[i].ranAway.empty()) continue;
     warn(
         fmt::format("{}: [waves] omega = {}: {}: the motion is no harmonic, as of a mode that "
                     "nothing holds: written as nan",
                     run.path, csvNumber(run.omega[i]), waves[i].ranAway));
   }
-  if (ran && !any)
+}
+
+// Ends the command if no mode that was free answered a wave.
+void requireAnAnswer(const RunFile& run, const std::vector<WaveRun>& waves) {
+  bool ran = false;
+  for (const WaveRun& wave : waves) {
+    ran = ran || !wave.ranAway.empty();
+    for (std::size_t j = 0; j < 6; ++j) {
+      const bool answered = std::isfinite(wave.amplitude[static_cast<int>(j)].real());
+      if (answered && !run.model.restrained.at(j)) return;
+    }
+  }
+  if (ran)
     throw HydroError(Fault::ValueOutOfRange,
                      run.path +
                          ": [motion]: in no wave a motion was harmonic; hold the modes that "
@@ -229,8 +237,9 @@ void sweep(const std::string& path, int threads, const std::string& out) {
     }
   }
   csv.write(out);
-  tellRunaways(run, waves);
+  warnOfRunaways(run, waves);
   tellFaults(path, waves);
+  requireAnAnswer(run, waves);
 }
 
 }  // namespace cutwater::command
