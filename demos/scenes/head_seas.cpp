@@ -44,8 +44,10 @@ int main(int argc, char** argv) try {
     return std::abs(largest[j] / std::abs(expected[j]) - 1.0) < 0.02;
   };
   const double lateral = std::max({largest[Sway], largest[Roll], largest[Yaw]});
-  return seaway.faults() == kStepOk && near(Heave) && near(Pitch) && lateral < 1e-3 * amplitude ? 0
-                                                                                                : 1;
+  return seaway.faults() == kStepOk && near(Surge) && near(Heave) && near(Pitch) &&
+                 lateral < 1e-3 * amplitude
+             ? 0
+             : 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "head_seas: %s\n", error.what());
   return 1;

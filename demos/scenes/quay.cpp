@@ -79,8 +79,8 @@ bool run(const Coefficients& database, DemoTable& table) {
   good &= agrees("blow / m v", blow / mass / before, 1.0 / inverse(Sway, Sway) / mass, 0.02);
   good &= isBelow("momentum lost between ship, water and fenders", off, 1e-4);
   good &= isBelow("energy at most, of that at first", most, 1.0);
-  // What the fenders gave beyond the momentum at first, over the speed at which the ship drifts off:
-  // by then the water moves with it, as it did at first.
+  // What the fenders gave beyond the momentum at first, over the speed at which the ship drifts
+  // off: by then the water moves with it, as it did at first.
   good &= agrees("momentum when it leaves / m v", (taken - first) / mass / ship.velocity()[Sway],
                  1.0 + frigate.addedMass.atZero(Sway, Sway) / mass, 0.02);
   good &= isBelow("speed when it leaves, of that before", ship.velocity()[Sway] / kSpeed, 1.0);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "hydro/excitation/WaveExcitation.h"
 #include "hydro/response/FrequencyResponse.h"
 #include "tests/excitation/BoxShip.h"
 
