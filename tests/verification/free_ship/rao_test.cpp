@@ -140,7 +140,8 @@ CVec6 withSlowLoads(const Passage& passage, double omega, const CVec6& free) {
   slow(Pitch, Surge) = 2.0 * passage.speed * ship.addedMassAtRest()(Heave, Surge) * s;
   if (passage.keepers) {
     const double stiff = mass(Yaw, Yaw) * helm.rate * helm.rate +
-                         passage.speed * passage.speed * c.addedMass.atInfinity(Sway, Sway);
+                         passage.speed * passage.speed * 1.5 *
+                             (c.addedMass.atZero(Sway, Sway) - c.addedMass.atZero(Surge, Surge));
     if (passage.speed > 0.0)
       slow(Surge, Surge) = mass(Surge, Surge) * engine.rate * (2.0 * s + engine.rate);
     slow(Yaw, Yaw) = stiff + 2.0 * std::sqrt(stiff * mass(Yaw, Yaw)) * s;
