@@ -103,9 +103,9 @@ Vec3 motionAngles(const Mat3& rotation) noexcept;
 ///     engine, rudder  of a free ship that has them (setThrottle, setRudder)
 /// and then those of addForce(). gravity + restoring = −C η.
 ///
-/// First-order forces act in H. Moments, and A∞, act in axes along the ship's own heading and pitch,
-/// which do not roll; velocities are taken alike, so that power is force times velocity. To first
-/// order that is H throughout. Moments in H would set a ship's small roll inertia against its large
+/// First-order forces act in H. Moments, and A∞, act in axes along the ship's own heading and
+/// pitch, which do not roll; velocities are taken alike, so that power is force times velocity. To
+/// first order that is H throughout. Moments in H would set a ship's small roll inertia against its large
 /// yaw inertia: at 3° of yaw their product exceeds roll's own; in body axes a heeled ship's pitch
 /// moment would turn it. Tilted beyond kLargestTilt a ship is outside the linear theory; loads stay
 /// bounded, and a fault bit says so.

@@ -177,8 +177,9 @@ void addTables(CLI::App& app, Arguments& a) {
 }
 
 void addRuns(CLI::App& app, Arguments& a) {
-  CLI::App* sub = command(app, "simulate", "One ship in Bullet, headless, motions as CSV; free unless mean = \"fixed\"",
-                          "simulate run.toml --forces -o run.csv");
+  CLI::App* sub = command(
+      app, "simulate", "One ship in Bullet, headless, motions as CSV; free unless mean = \"fixed\"",
+      "simulate run.toml --forces -o run.csv");
   sub->add_option("run", a.input, "RUN.toml")->required();
   sub->add_flag("--forces", a.forces, "add the parts of the load as columns");
   output(sub, a);

@@ -134,7 +134,7 @@ void PredictedMotion::compare(const Vec3& velocity, double step, bool begins) no
   findFreedom();
 }
 
-// What of the actual acceleration has nothing to do with the predicted one hides it if it is larger.
+// Actual acceleration that has nothing to do with the predicted one hides it where it is larger.
 void PredictedMotion::findFreedom() noexcept {
   for (int i = 0; i < 3; ++i) {
     const double explained = square_[i] > 0.0 ? product_[i] * product_[i] / square_[i] : 0.0;

@@ -17,9 +17,9 @@ class RadiationModel;
 ///     force = −d(R p_F)/dt,   moment = −d(R p_M)/dt − V × R p_F
 /// where the own x part of both cross terms is left out, as R does not roll. Nothing here is slow
 /// or filtered, so that the cross terms do no work and the force has no mean. This part has the
-/// terms of q; those of A^∞ν, one of them by the engine's solver, are the part added_mass. Its mean yaw moment in waves, of second order, is
-/// taken off as the ship's predicted motion has it, and so is the steady trim of its way.
-///                                                             THEORY.md, The free ship
+/// terms of q; those of A^∞ν, one of them by the engine's solver, are the part added_mass. The mean
+/// yaw moment of V × R p_F in waves, of second order, is taken off as the ship's predicted motion
+/// has it, and so is the steady trim of its way.               THEORY.md, The free ship
 ///
 /// Loads are differences of momenta half a tick apart from t_n: over any run they add up to what is
 /// left in the water, exactly.
