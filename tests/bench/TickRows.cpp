@@ -5,6 +5,7 @@
 
 #include "demos/scenes/BulletWorld.h"
 #include "hydro/forces/Hydrodynamics.h"
+#include "hydro/forces/PredictedMotion.h"
 #include "hydro/forces/linear/Radiation.h"
 #include "hydro/waves/Spectrum.h"
 #include "plugin/Seaway.h"
@@ -136,22 +137,28 @@ std::shared_ptr<const SeaTables> tablesOf(const Shared& c, int components) {
 
 void benchParts(std::string& csv, const Shared& c) {
   for (const int components : {1, 20, 200}) {
-    test::WaveLoads loads(tablesOf(c, components), {0.3, 5.0}, false);
+    test::WaveLoads loads(tablesOf(c, components), {0.3, 5.0});
     benchPart(csv, "tick: excitation, components " + std::to_string(components), c,
               [&](TickInput& m) { return loads.evaluate(m); });
   }
   {
-    test::WaveLoads loads(tablesOf(c, 200), {0.3, 5.0}, true);
+    const auto tables = tablesOf(c, 200);
+    PredictedMotion predicted(tables, {});
+    std::vector<Phasors4> phasors(tables->sea().phasorBlocks());
+    constexpr double kTurn = 1.7e-2;  // [rad/s]
     benchPart(csv, "tick: excitation, components 200, while turning 1 deg/s", c, [&](TickInput& m) {
-      m.meanHeading += 1.7e-2 * kTick60;
-      return loads.evaluate(m);
+      m.meanHeading += kTurn * kTick60;
+      tables->sea().phasors(m.time, 0.0, 0.0, phasors);
+      predicted.follow({m.meanHeading, {5.0, 0.0}}, kTurn, kTick60);
+      predicted.sum(phasors, 1.0);
+      return predicted.now().froudeKrylov;
     });
   }
   for (const MemoryModel memory : {MemoryModel::Exponential, MemoryModel::Convolution}) {
     const std::string name = memory == MemoryModel::Exponential ? "tick: radiation, exponential sum"
                                                                 : "tick: radiation, convolution";
     for (const double speed : {0.0, 10.0}) {
-      Radiation part(c->radiation(), false, memory);
+      Radiation part(c->radiation(), memory);
       part.prepare(kTick60);
       benchPart(csv, name + (speed > 0.0 ? ", under way" : ", at rest"), c, [&](TickInput& m) {
         m.speed = speed;
@@ -187,23 +194,27 @@ void benchTimeDomain(std::string& csv, const Coefficients& coefficients) {
   free.start.speed = 8.0;
   free.model.keepSpeed = SpeedKeeper{.speed = 8.0};
   free.model.keepCourse = CourseKeeper{};
-  ShipSettings oracle;
+  ShipSettings fixed;
+  fixed.model.mean = Mean::Fixed;
+  ShipSettings oracle = fixed;
   oracle.model.memory = MemoryModel::Convolution;
-  benchShare(csv, "linear ship, one tick, 6 modes, 200 wave components", c, 200, 2e-6);
-  benchShare(csv, "linear ship, one tick, 6 modes, regular wave", c, 1, 2e-6);
+  benchShare(csv, "linear ship, one tick, 6 modes, 200 wave components", c, 200, 2e-6, fixed);
+  benchShare(csv, "linear ship, one tick, 6 modes, regular wave", c, 1, 2e-6, fixed);
+  benchShare(csv, "linear ship, one tick, free and kept, regular wave", c, 1, 0.0, free);
   benchShare(csv, "linear ship, one tick, convolution, 200 wave components", c, 200, 0.0, oracle);
   benchShare(csv, "linear ship, one tick, free and kept, 200 wave components", c, 200, 0.0, free);
-  benchTick(csv, "linear ship and Bullet, one tick, 200 wave components", c, 200, 0.0);
-  benchTick(csv, "linear ship and Bullet, one tick, regular wave", c, 1, 0.0);
+  benchTick(csv, "linear ship and Bullet, one tick, 200 wave components", c, 200, 0.0, fixed);
+  benchTick(csv, "linear ship and Bullet, one tick, regular wave", c, 1, 0.0, fixed);
   benchParts(csv, c);
   for (const int ships : {1, 10, 100}) {
-    benchFleet(csv, std::to_string(ships) + " linear ships at 60 Hz, one core", c, ships, 20, {});
+    benchFleet(csv, std::to_string(ships) + " linear ships at 60 Hz, one core", c, ships, 20,
+               fixed);
   }
-  benchFleet(csv, "1000 linear ships at 60 Hz, one core", c, 1000, 20, {});
+  benchFleet(csv, "1000 linear ships at 60 Hz, one core", c, 1000, 20, fixed);
   benchFleet(csv, "1000 linear ships at 60 Hz, 200 wave components, one core", c, 1000, 200, free);
   benchFleet(csv, "1000 linear ships at 60 Hz, 200 wave components", c, 1000, 200, free, 2);
   // The report's own run: one ship in a regular wave at ticks of 0.1 s, 30 times real time there.
-  Fleet report(c, 1, 1, {});
+  Fleet report(c, 1, 1, fixed);
   constexpr int kTicks = 60000;
   Row row = rowOf("regular wave, ticks of 0.1 s, one second of one ship", c);
   row.seconds = secondsOf([&] { report.step(kTicks, 0.1); }) / (kTicks * 0.1);
