@@ -107,8 +107,8 @@ Vec3 motionAngles(const Mat3& rotation) noexcept;
 /// pitch, which do not roll; velocities are taken alike, so that power is force times velocity. To
 /// first order that is H throughout. Moments in H would set a ship's small roll inertia against its
 /// large yaw inertia: at 3° of yaw their product exceeds roll's own; in body axes a heeled ship's
-/// pitch moment would turn it. Tilted beyond kLargestTilt a ship is outside the linear theory; loads
-/// stay bounded, and a fault bit says so.
+/// pitch moment would turn it. Tilted beyond kLargestTilt a ship is outside the linear theory; its
+/// loads stay bounded, and a fault bit says so.
 ///
 /// What Bullet offers for its bodies holds for a ship: linear and angular factors, sleep, damping,
 /// setMassProps(0) to hold it still. A factor of 0 about the vertical holds the heading (or its
