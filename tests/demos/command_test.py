@@ -324,6 +324,18 @@ keep_course = true
                             [row["amplitude"] for row in expected])
         self.refused([*free, "0.8:0.8:1", "--form", "report"], "--free", "Tuck", code=2)
 
+    def test_a_free_ship_that_did_not_keep_its_way_is_no_answer(self):
+        run = self.path("w.toml", self.SWEEP + "[motion]\nmean = \"free\"\nspeed = 5.0\n")
+        done = call("sweep", run)  # drag, and no engine
+        self.assertEqual(done.returncode, 1, done.stderr)
+        warned = [line for line in done.stderr.splitlines() if "written as nan" in line]
+        self.assertEqual(len(warned), 1, done.stderr)
+        for word in ("w.toml: [waves] omega = 0.8: the ship did not keep its way", "keep_speed"):
+            self.assertIn(word, warned[0])
+        self.assertIn("w.toml: [motion]: in no wave", done.stderr.strip().splitlines()[-1])
+        rows = list(csv.DictReader(io.StringIO(done.stdout)))
+        self.assertEqual([row["time_amplitude"] for row in rows], ["nan"] * 6)
+
     def test_a_yaw_that_nothing_holds_is_warned_of(self):
         """The frigate without the yaw stiffness that stands for a helmsman."""
         ship = self.path("s.toml", SHIP + """[solve]

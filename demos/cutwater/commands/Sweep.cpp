@@ -31,7 +31,7 @@ constexpr double kLargestRest = 0.5;  // of the harmonic: r.m.s. of what a fit m
 // What one wave gave.
 struct WaveRun {
   CVec6 amplitude = CVec6::Constant(Complex(std::nan(""), std::nan("")));  // of a run that broke
-  std::string ranAway{};  // modes whose motion is no harmonic
+  std::string ranAway{};  // why motions are no answer to the wave
   RunFaults faults{};
 };
 
@@ -89,14 +89,14 @@ void fit(const RunFile& run, std::size_t index, double gravity, const Motions& m
     const double usual = run.amplitude * (j < 3 ? 1.0 : k);
     const double size = std::max(std::abs(found.amplitude), usual) / std::sqrt(2.0);
     if (found.rest > kLargestRest * size) {
-      result.ranAway +=
-          std::string(result.ranAway.empty() ? "the motion is no harmonic in " : ", ") +
-          kModeNames[j];
+      result.ranAway += std::string(result.ranAway.empty() ? "" : ", ") + kModeNames[j];
     } else {
       result.amplitude[static_cast<int>(j)] =
           found.amplitude / std::polar(run.amplitude, run.phase);
     }
   }
+  if (!result.ranAway.empty())
+    result.ranAway += ": the motion is no harmonic, as of a mode that nothing holds";
 }
 
 // Motions in one regular wave, fitted over the second half.
@@ -182,10 +182,8 @@ void tellFaults(const std::string& path, const std::vector<WaveRun>& waves) {
 void warnOfRunaways(const RunFile& run, const std::vector<WaveRun>& waves) {
   for (std::size_t i = 0; i < waves.size(); ++i) {
     if (waves[i].ranAway.empty()) continue;
-    warn(
-        fmt::format("{}: [waves] omega = {}: {}: the motion is no harmonic, as of a mode that "
-                    "nothing holds: written as nan",
-                    run.path, csvNumber(run.omega[i]), waves[i].ranAway));
+    warn(fmt::format("{}: [waves] omega = {}: {}; written as nan", run.path,
+                     csvNumber(run.omega[i]), waves[i].ranAway));
   }
 }
 
