@@ -107,7 +107,10 @@ Vec6 Ship::momentum() const noexcept {
   const Vec6 momentum = rotated(body, body, inertia) + waterMomentum();
   if (radiation_ == nullptr || !enabled("radiation")) return momentum;
   const Mat3 own = frame_.axes().transpose() * addedMass().pastAxes().angular * frame_.axes();
-  return momentum + rotated(own, own, radiation_->momentum());
+  if (!input_.courseBegins) return momentum + rotated(own, own, radiation_->momentum());
+  const Mat3 toOwn = own.transpose() * body;
+  const Vec6 now = rotated(toOwn, toOwn, velocity());
+  return momentum + rotated(own, own, radiation_->momentumOf({now[Surge], now[Sway], now[Yaw]}));
 }
 
 double Ship::energy() const noexcept {

@@ -136,9 +136,11 @@ TEST(FreeRadiationIdentity, AVelocityThatIsSetMakesNoBlow) {
   const Wrench wrench = part.radiation.evaluate(now);
   const Mat6 A = part.atRest();
   EXPECT_LT(wrench.load.head<3>().norm(), 1e-9 * A(Surge, Surge) * 4.0 / kTick);
+  const Vec6 foreseen = kept.radiation.momentumOf({4.0, 0.0, 0.0});
   kept.radiation.evaluate(now);
   EXPECT_LT((part.radiation.momentum() - kept.radiation.momentum()).norm(),
             1e-12 * kept.radiation.momentum().norm());
+  EXPECT_LT((kept.radiation.momentum() - foreseen).norm(), 1e-9 * foreseen.norm());
 }
 
 TEST(FreeRadiationIdentity, ASavedStateHasTheSameBitsEverAfter) {

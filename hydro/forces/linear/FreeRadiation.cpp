@@ -45,6 +45,15 @@ void FreeRadiation::begin(const TickInput& now) noexcept {
   if (velocity.allFinite()) memory_->addSteady(velocity);
 }
 
+Vec6 FreeRadiation::momentumOf(const Vec3& steady) const noexcept {
+  Vec6 more = Vec6::Zero();
+  more[Surge] = steady[0] - steady_[0];
+  more[Sway] = steady[1] - steady_[1];
+  more[Yaw] = steady[2] - steady_[2];
+  const Mat6 remembered = predicted_->response().addedMassAtRest() - model_->addedMassInf();
+  return momentum_ + remembered * more;
+}
+
 // Of V × R p_F about the level y, what the steady way has: a steady trim, of which this theory does
 // not know the rest.
 double FreeRadiation::steadyTrim(const TickInput& now) const noexcept {

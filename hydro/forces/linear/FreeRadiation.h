@@ -47,6 +47,9 @@ class FreeRadiation final : public ForceGenerator {
 
   /// q, in the axes of the last tick's solve.
   const Vec6& momentum() const noexcept { return momentum_; }
+  /// The same as the next tick will find it if the ship was given this way since the last one.
+  /// @param steady  u, v [m/s], r [rad/s] in own axes.
+  Vec6 momentumOf(const Vec3& steady) const noexcept;
 
  private:
   static constexpr std::size_t kOwnState = 6 + 3 + 1;
