@@ -887,6 +887,8 @@ class Foreign(Files):
         # Its wave forces are for a few headings, and a free ship may come to any.
         self.refused(["simulate", self.run_file(waves="omega = 0.6")], "r.toml: ", "gap of 90 deg",
                      'mean = "fixed"')
+        self.assertIn("diffraction forces are those at rest",
+                      call("simulate", self.run_file(waves="omega = 0.6")).stderr)
         self.refused(["simulate", self.run_file("", "omega = 0.6")], "r.toml: ", "plain.h5",
                      "[body] gyradii", "size")
         both = self.path("both.toml", text + self.BODY)

@@ -74,6 +74,16 @@ void warnOfLooseYaw(const RunFile& run, const ShipParticulars& ship) {
                   run.path, run.start.speed));
 }
 
+// Without adjoint vectors diffraction is known at rest alone.
+void warnOfDiffraction(const RunFile& run, const Coefficients& coefficients) {
+  if (run.model.mean == Mean::Fixed || !coefficients.adjoint.empty()) return;
+  if (run.waves == RunFile::Waves::None) return;
+  warn(
+      fmt::format("{}: {} holds no adjoint vectors: a free ship's diffraction forces are those at "
+                  "rest, whatever way it makes; `cutwater solve` makes databases that hold them",
+                  run.path, run.database));
+}
+
 // Of the run, if they and their text, which grows by doubling, fit into memory.
 std::size_t rowsOf(const RunFile& run, std::size_t columns) {
   const double rows = std::floor(run.duration / run.tick + 1e-6) + 1.0;
@@ -122,6 +132,7 @@ std::shared_ptr<const Hydrodynamics> hydrodynamicsOf(RunFile& run) {
          [&] { ship = std::make_shared<const Hydrodynamics>(std::move(coefficients)); });
   naming(run.path, [&] { checkStability(run, *ship); });
   warnOfLooseYaw(run, ship->ship());
+  warnOfDiffraction(run, ship->coefficients());
   return ship;
 }
 
