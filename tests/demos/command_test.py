@@ -304,7 +304,6 @@ class FreeShip(Files):
 mean = "free"
 speed = 5.0
 heading_deg = 150.0
-resistance = false
 keep_course = true
 """)
         rows = table("sweep", run)
@@ -325,8 +324,9 @@ keep_course = true
         self.refused([*free, "0.8:0.8:1", "--form", "report"], "--free", "Tuck", code=2)
 
     def test_a_free_ship_that_did_not_keep_its_way_is_no_answer(self):
-        run = self.path("w.toml", self.SWEEP + "[motion]\nmean = \"free\"\nspeed = 5.0\n")
-        done = call("sweep", run)  # drag, and no engine
+        run = self.path("w.toml", self.SWEEP + "[motion]\nmean = \"free\"\nspeed = 5.0\n"
+                        "resistance = true\n")
+        done = call("sweep", run)  # no engine
         self.assertEqual(done.returncode, 1, done.stderr)
         warned = [line for line in done.stderr.splitlines() if "written as nan" in line]
         self.assertEqual(len(warned), 1, done.stderr)

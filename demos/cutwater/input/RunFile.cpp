@@ -171,6 +171,7 @@ RunFile readRunFile(const std::string& path, Mean usual) {
   TomlFile file(path);
   RunFile run;
   run.model.mean = usual;
+  run.model.resistance = usual == Mean::Free;  // a sweep is compared with what knows of no drag
   run.path = path;
   TomlSection& root = file.root();
   if (!root.has("database")) root.refuse("database", "is missing; make one with `cutwater solve`");
