@@ -44,8 +44,8 @@ struct RunFile {
   double highestOmega(double gravity) const;
 };
 
-/// @param usual  the mean course unless the file names one. Where it is fixed, as of a sweep, a free
-///        ship has no resistance unless the file asks for it: what it is compared with has none.
+/// @param usual  the mean course unless the file names one. Where it is fixed, as of a sweep, a
+///        free ship has no resistance unless the file asks for it: the frequency domain has none.
 /// @throws HydroError naming file, field and value.
 RunFile readRunFile(const std::string& path, Mean usual);
 
