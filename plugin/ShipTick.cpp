@@ -108,7 +108,6 @@ Vec6 Ship::sumOfLoads() const noexcept {
   return water + added;
 }
 
-// Impulses, not forces: Bullet keeps forces over all ticks of one stepSimulation.
 // −V × R A∞ν of a free ship, in E: what of the added mass is no rate of momentum. About the level y
 // and the vertical; R does not roll.
 Vec3 Ship::turningOfAddedMass() const noexcept {
@@ -122,6 +121,7 @@ Vec3 Ship::turningOfAddedMass() const noexcept {
   return momentOf(own, Vec3(0.0, -own.col(1).dot(cross), -cross.z()));
 }
 
+// Impulses, not forces: Bullet keeps forces over all ticks of one stepSimulation.
 bool Ship::apply(double step) noexcept {
   const Vec6 loads = sumOfLoads();
   if (!loads.allFinite()) return false;

@@ -40,4 +40,10 @@ Mat6 freeRestoring(const Mat6& restoring) {
   return free;
 }
 
+Vec6 freeStiffness(const Vec6& given) {
+  Vec6 free = given;
+  for (const int mode : {Surge, Sway, Yaw}) free[mode] = 0.0;
+  return free;
+}
+
 }  // namespace cutwater

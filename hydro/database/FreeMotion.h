@@ -7,6 +7,7 @@ namespace cutwater {
 struct SteadyWay {
   double ahead = 0.0;   ///< U
   double leeway = 0.0;  ///< V, to port
+  bool operator==(const SteadyWay&) const = default;
 };
 
 /// The free ship, linearised about a steady way (THEORY.md, The free ship). Motion ξ e^{st} about
@@ -30,5 +31,7 @@ CMat6 waterLoad(Complex s, const SteadyWay& way, const CMat6& water, const Mat6&
 /// heading. The moment of a weight that is not above the buoyancy stays about the level y of the
 /// ship's own heading, so that C₄₆ = W(x_G − x_B) is of fixed axes alone.
 Mat6 freeRestoring(const Mat6& restoring);
+/// Of stiffness that is given beside C, what a free ship has: none of surge, sway and yaw.
+Vec6 freeStiffness(const Vec6& given);
 
 }  // namespace cutwater

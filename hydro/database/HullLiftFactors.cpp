@@ -33,4 +33,14 @@ HullLiftFactors::Orbital HullLiftFactors::orbital(double omega, double waveNumbe
   return {across * mean, across * Complex(0.0, -6.0 * slope / length_)};
 }
 
+void HullLiftFactors::resist(double speed, const CMat6& velocities, CMat6& system) const {
+  system.row(Sway) += std::abs(speed) * side * velocities.row(Sway);
+  system.row(Yaw) += std::abs(speed) * turn * velocities.row(Yaw);
+}
+
+void HullLiftFactors::push(double speed, const Orbital& water, CVec6& force) const {
+  force[Sway] += std::abs(speed) * side * water.side;
+  force[Yaw] += std::abs(speed) * turn * water.turn;
+}
+
 }  // namespace cutwater

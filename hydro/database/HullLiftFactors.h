@@ -25,6 +25,11 @@ struct HullLiftFactors {
   /// @param omega ω_I [rad/s].  @param waveNumber k [1/m].  @param heading β from the bow [rad].
   Orbital orbital(double omega, double waveNumber, double heading) const;
 
+  /// Adds the lift at a speed ahead [m/s] to a ship's linear equation: against its own velocities
+  /// (ownVelocities of FreeMotion.h) on the left, of the water's on the right.
+  void resist(double speed, const CMat6& velocities, CMat6& system) const;
+  void push(double speed, const Orbital& water, CVec6& force) const;
+
  private:
   double length_;  // of the wet hull
   double middle_;  // of it, before G

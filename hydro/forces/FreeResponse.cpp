@@ -13,9 +13,8 @@ FreeResponse::FreeResponse(const Coefficients& coefficients, const RadiationMode
       mass_(coefficients.ship.massMatrix()),
       stiffness_(freeRestoring(coefficients.ship.restoring)),
       damping_(coefficients.ship.supplementary.damping),
-      addedStiffness_(coefficients.ship.supplementary.stiffness),
+      addedStiffness_(freeStiffness(coefficients.ship.supplementary.stiffness)),
       slow_(0.53 * std::sqrt(coefficients.ship.gravity / coefficients.ship.lengthOverall())) {
-  addedStiffness_[Surge] = addedStiffness_[Sway] = addedStiffness_[Yaw] = 0.0;
   model.sum();
   atRest_ = model.waterMass(0.0).real();
 }
@@ -33,10 +32,7 @@ FreeResponse::Answer FreeResponse::at(double omega, const SteadyWay& way, const 
   system += (stiffness_ - omega * omega * mass_).cast<Complex>();
   if (parts.supplementary)
     system.diagonal() += (addedStiffness_.cast<Complex>() + s * damping_.cast<Complex>());
-  if (parts.hullLift) {
-    system.row(Sway) += std::abs(way.ahead) * lift_.side * velocities.row(Sway);
-    system.row(Yaw) += std::abs(way.ahead) * lift_.turn * velocities.row(Yaw);
-  }
+  if (parts.hullLift) lift_.resist(way.ahead, velocities, system);
   CVec6 right = force;
   for (int j = 0; j < 6; ++j) {
     if (!parts.restrained[static_cast<std::size_t>(j)]) continue;

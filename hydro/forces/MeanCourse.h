@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <span>
 
 #include "hydro/Conventions.h"

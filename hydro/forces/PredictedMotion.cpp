@@ -43,11 +43,6 @@ bool nearEnough(const PredictedMotion::Way& a, const PredictedMotion::Way& b) {
          std::abs(a.through.leeway - b.through.leeway) <= kSameSpeed;
 }
 
-bool same(const PredictedMotion::Way& a, const PredictedMotion::Way& b) {
-  return a.heading == b.heading && a.through.ahead == b.through.ahead &&
-         a.through.leeway == b.through.leeway;
-}
-
 bool finite(const PredictedMotion::Way& way) {
   return std::isfinite(way.heading) && std::isfinite(way.through.ahead) &&
          std::isfinite(way.through.leeway);
@@ -213,10 +208,7 @@ void PredictedMotion::renew(std::size_t component, const Way& way) noexcept {
   CVec6 force = CVec6::Zero();
   if (parts_.froudeKrylov) force += incident;
   if (parts_.diffraction) force += thrownBack;
-  if (parts_.hullLift) {
-    force[Sway] += std::abs(U) * response_.lift().side * orbital.side;
-    force[Yaw] += std::abs(U) * response_.lift().turn * orbital.turn;
-  }
+  if (parts_.hullLift) response_.lift().push(U, orbital, force);
   setAnswer(component, met, way, force);
   set(component, OrbitalAcross, orbital.side);
   set(component, OrbitalAcross + 1, orbital.turn);
@@ -231,7 +223,7 @@ void PredictedMotion::renewAll(const Way& way, bool exactly) noexcept {
   if (exactly) next_ = 0;
   if (!finite(way)) return;
   for (std::size_t i = 0; i < madeFor_.size(); ++i) {
-    if (!(exactly ? same(madeFor_[i], way) : nearEnough(madeFor_[i], way))) renew(i, way);
+    if (!(exactly ? madeFor_[i] == way : nearEnough(madeFor_[i], way))) renew(i, way);
   }
   expectToFollow();
 }
@@ -285,7 +277,7 @@ void PredictedMotion::restore(std::span<const double> state) noexcept {
   findFreedom();
   for (std::size_t i = 0; i < madeFor_.size(); ++i, at += 3) {
     const Way way{at[0], {at[1], at[2]}};
-    if (same(madeFor_[i], way)) continue;
+    if (madeFor_[i] == way) continue;
     if (finite(way)) {
       renew(i, way);
     } else {

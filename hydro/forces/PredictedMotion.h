@@ -28,6 +28,7 @@ class PredictedMotion {
   struct Way {
     double heading = 0.0;
     SteadyWay through{};
+    bool operator==(const Way&) const = default;
   };
   /// Sums over the sea at one instant. Motions in axes of the slow heading, or of the ship's own
   /// where that is said.

@@ -56,7 +56,10 @@ FrequencyResponse::FrequencyResponse(const CoefficientTables& coefficients,
 FrequencyResponse::FrequencyResponse(const CoefficientTables& coefficients, const Free& free,
                                      std::array<bool, 6> restrained)
     : FrequencyResponse(coefficients, restrained, ForwardSpeedForm::Tuck) {
-  free_ = free;
+  free_ = true;
+  if (free.hullLift)
+    lift_ =
+        std::make_shared<const HullLiftFactors>(coefficients, coefficients.ship.lengthOverall());
 }
 
 CMat6 FrequencyResponse::systemOnCourse(double omega, double speed) const {
@@ -75,32 +78,18 @@ CMat6 FrequencyResponse::systemOfFree(double omega, double speed) const {
   const CMat6 symmetric = 0.5 * (water + water.transpose());
   const Mat6& atZero = coefficients_.addedMass.atZero;
   CMat6 system = waterLoad(s, way, symmetric, 0.5 * (atZero + atZero.transpose()));
-  const Supplementary& given = coefficients_.ship.supplementary;
-  for (const int j : {Heave, Roll, Pitch}) system(j, j) += given.stiffness[j];
-  if (!free_->hullLift) return system;
-  const HullLiftFactors lift(coefficients_, coefficients_.ship.lengthOverall());
-  const CMat6 velocities = ownVelocities(s, way);
-  system.row(Sway) += std::abs(speed) * lift.side * velocities.row(Sway);
-  system.row(Yaw) += std::abs(speed) * lift.turn * velocities.row(Yaw);
+  system.diagonal() += freeStiffness(coefficients_.ship.supplementary.stiffness).cast<Complex>();
+  if (lift_) lift_->resist(speed, ownVelocities(s, way), system);
   return system;
-}
-
-CVec6 FrequencyResponse::liftOf(double omegaI, double heading, double speed) const {
-  CVec6 force = CVec6::Zero();
-  if (!free_ || !free_->hullLift) return force;
-  const HullLiftFactors lift(coefficients_, coefficients_.ship.lengthOverall());
-  const auto water = lift.orbital(omegaI, omegaI * omegaI / coefficients_.ship.gravity, heading);
-  force[Sway] = std::abs(speed) * lift.side * water.side;
-  force[Yaw] = std::abs(speed) * lift.turn * water.turn;
-  return force;
 }
 
 CVec6 FrequencyResponse::at(double omegaI, double heading, double speed) const {
   const ShipParticulars& ship = coefficients_.ship;
   const Encounter met(omegaI, speed, heading, ship.gravity);
   const double omega = met.frequency();
-  const CVec6 wave =
-      excitation_->at(omegaI, heading, speed).total() + liftOf(omegaI, heading, speed);
+  CVec6 wave = excitation_->at(omegaI, heading, speed).total();
+  if (lift_)
+    lift_->push(speed, lift_->orbital(omegaI, omegaI * omegaI / ship.gravity, heading), wave);
   const CVec6 force = met.conjugatedIfOvertaking(wave);
   CMat6 system = free_ ? systemOfFree(omega, speed) : systemOnCourse(omega, speed);
   const Mat6 restoring = free_ ? freeRestoring(ship.restoring) : ship.restoring;

@@ -8,6 +8,7 @@
 namespace cutwater {
 
 class WaveExcitation;
+struct HullLiftFactors;
 
 /// Below this ω_e [rad/s] surge, sway and yaw, which have no stiffness, grow without bound and are
 /// not theory.
@@ -60,13 +61,13 @@ class FrequencyResponse {
  private:
   CMat6 systemOnCourse(double omega, double speed) const;
   CMat6 systemOfFree(double omega, double speed) const;
-  CVec6 liftOf(double omegaI, double heading, double speed) const;
 
   const CoefficientTables& coefficients_;
   ForwardSpeedForm form_;
   std::shared_ptr<const WaveExcitation> excitation_;
   std::array<bool, 6> restrained_;
-  std::optional<Free> free_;
+  bool free_ = false;
+  std::shared_ptr<const HullLiftFactors> lift_;  // of a free ship that has it
 };
 
 }  // namespace cutwater

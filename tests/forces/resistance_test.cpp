@@ -7,6 +7,7 @@
 
 #include "hydro/geometry/shapes/Shapes.h"
 #include "hydro/ship/Afloat.h"
+#include "tests/forces/SlowMotion.h"
 #include "tests/support/Results.h"
 
 namespace cutwater::test {
@@ -24,15 +25,6 @@ ShipParticulars box(const Vec3& cog = Vec3::Zero()) {
 
 ShipParticulars frigate() {
   return afloat({{}, wetFrigate(40, 10), true}, {.cog = {0, 0, 1.29}, .level = true}).ship;
-}
-
-TickInput moving(double ahead, double leeway, double turn, double step = 0.02) {
-  TickInput now;
-  now.step = now.lastStep = step;
-  now.speed = ahead;
-  now.leeway = leeway;
-  now.turnRate = turn;
-  return now;
 }
 
 // ½ρ C_D L T of the box.

@@ -8,6 +8,7 @@
 
 #include "hydro/geometry/shapes/Shapes.h"
 #include "hydro/ship/Afloat.h"
+#include "tests/forces/SlowMotion.h"
 #include "tests/support/Refusal.h"
 
 namespace cutwater::test {
@@ -31,15 +32,6 @@ RudderParticulars blade() {
           .aspectRatio = kAspect,
           .slipstream = 0.5,
           .flowStraightening = 0.6};
-}
-
-TickInput moving(double ahead, double leeway, double turn, double step = 0.02) {
-  TickInput now;
-  now.step = now.lastStep = step;
-  now.speed = ahead;
-  now.leeway = leeway;
-  now.turnRate = turn;
-  return now;
 }
 
 struct Steered {

@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <cstring>
+#include <string_view>
 
 #include "plugin/Seaway.h"
 #include "tests/plugin/TestShip.h"
@@ -30,6 +32,10 @@ struct Scene {
   Ship* sphere = nullptr;
 };
 
+inline bool hasPart(const Ship& ship, std::string_view part) {
+  const auto parts = ship.parts();
+  return std::find(parts.begin(), parts.end(), part) != parts.end();
+}
 inline btRigidBody& bodyOf(Scene& scene) { return scene.sphere->body(); }
 inline double heaveOf(const Scene& scene) { return scene.sphere->motion()[Heave]; }
 // Of a place of some metres, kept by a float for some hundred ticks.

@@ -30,10 +30,7 @@ struct FreeShip {
       world.world.stepSimulation(kTick, 1, kTick);
     }
   }
-  bool has(std::string_view part) const {
-    const auto parts = ship->parts();
-    return std::find(parts.begin(), parts.end(), part) != parts.end();
-  }
+  bool has(std::string_view part) const { return hasPart(*ship, part); }
   TestWorld world{kSphereGravity};
   Seaway seaway;
   Ship* ship;

@@ -31,10 +31,7 @@ struct Sailing {
     const int ticks = static_cast<int>(std::lround(64.0 * seconds));
     for (int i = 0; i < ticks; ++i) world.world.stepSimulation(kTick, 1, kTick);
   }
-  bool has(std::string_view part) const {
-    const auto parts = ship->parts();
-    return std::find(parts.begin(), parts.end(), part) != parts.end();
-  }
+  bool has(std::string_view part) const { return hasPart(*ship, part); }
   TestWorld world{kSphereGravity};
   Seaway seaway;
   Ship* ship;

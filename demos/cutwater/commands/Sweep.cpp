@@ -20,9 +20,8 @@ namespace cutwater::command {
 
 namespace {
 
-double encounterOf(const RunFile& run, const Coefficients& coefficients, std::size_t index) {
-  return encounterFrequency(run.omega[index], run.start.speed, run.heading,
-                            coefficients.ship.gravity);
+double encounterOf(const RunFile& run, double gravity, std::size_t index) {
+  return encounterFrequency(run.omega[index], run.start.speed, run.heading, gravity);
 }
 
 constexpr double kOtherWay = 0.01;    // of the encounter frequency
@@ -54,7 +53,7 @@ Vec6 motionOf(const Ship& ship, const RunFile& run) {
 std::vector<double> phasesOf(const RunFile& run, std::size_t index, double gravity,
                              const Motions& motion) {
   const double omega = run.omega[index], k = omega * omega / gravity;
-  const double omegaE = encounterFrequency(omega, run.start.speed, run.heading, gravity);
+  const double omegaE = encounterOf(run, gravity, index);
   std::vector<double> phase;
   for (const double t : motion.time) phase.push_back(omegaE * t);
   if (run.model.mean == Mean::Fixed) return phase;
@@ -73,8 +72,7 @@ std::vector<double> phasesOf(const RunFile& run, std::size_t index, double gravi
 void fit(const RunFile& run, std::size_t index, double gravity, const Motions& motion,
          WaveRun& result) {
   const std::vector<double> phase = phasesOf(run, index, gravity, motion);
-  const double nominal =
-      encounterFrequency(run.omega[index], run.start.speed, run.heading, gravity);
+  const double nominal = encounterOf(run, gravity, index);
   const double met = (phase.back() - phase.front()) / (motion.time.back() - motion.time.front());
   if (std::abs(met - nominal) > kOtherWay * std::abs(nominal)) {
     result.ranAway = fmt::format(
@@ -129,7 +127,7 @@ void check(const RunFile& run) {
 void keepWhatCanBeMet(RunFile& run, const Coefficients& coefficients) {
   std::vector<double> met;
   for (std::size_t i = 0; i < run.omega.size(); ++i) {
-    const double omega = run.omega[i], omegaE = encounterOf(run, coefficients, i);
+    const double omega = run.omega[i], omegaE = encounterOf(run, coefficients.ship.gravity, i);
     if (std::abs(omegaE) < kLeastEncounterFrequency) {
       warn(run.path + ": [waves] omega = " + csvNumber(omega) +
            " is met at omega_e = " + csvNumber(omegaE) + " rad/s, below " +
@@ -227,7 +225,7 @@ void sweep(const std::string& path, int threads, const std::string& out) {
   Csv csv("omega,omega_e,j,time_amplitude,time_phase_deg,freq_amplitude,freq_phase_deg");
   for (std::size_t i = 0; i < run.omega.size(); ++i) {
     const CVec6 frequency = response.at(run.omega[i], run.heading, run.start.speed);
-    const double omegaE = encounterOf(run, coefficients, i);
+    const double omegaE = encounterOf(run, coefficients.ship.gravity, i);
     const CVec6& inTime = waves[i].amplitude;
     for (int j = 0; j < 6; ++j) {
       csv.row({run.omega[i], omegaE, j + 1.0, std::abs(inTime[j]), phaseDegrees(inTime[j]),

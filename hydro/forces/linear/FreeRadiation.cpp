@@ -11,6 +11,14 @@ namespace {
 
 Vec3 steadyOf(const TickInput& now) { return {now.speed, now.leeway, now.turnRate}; }
 
+Vec6 velocityOf(const Vec3& steady) {
+  Vec6 velocity = Vec6::Zero();
+  velocity[Surge] = steady[0];
+  velocity[Sway] = steady[1];
+  velocity[Yaw] = steady[2];
+  return velocity;
+}
+
 }  // namespace
 
 FreeRadiation::FreeRadiation(std::shared_ptr<const RadiationModel> model,
@@ -29,7 +37,7 @@ FreeRadiation::~FreeRadiation() = default;
 void FreeRadiation::prepare(double step) {
   if (memory_ && !needsFixedTicks()) return;
   memory_.reset();
-  begun_ = false;
+  reset();
   const bool convolution = memoryModel_ == MemoryModel::Convolution;
   memory_ = convolution ? model_->makeConvolution(step) : model_->makeMemory(step);
 }
@@ -37,21 +45,13 @@ void FreeRadiation::prepare(double step) {
 // A ship that is put somewhere has always had its way; one whose way is set had that way always,
 // and keeps the waves it has made.
 void FreeRadiation::begin(const TickInput& now) noexcept {
-  const Vec3 steady = steadyOf(now), more = begun_ ? Vec3(steady - steady_) : steady;
-  Vec6 velocity = Vec6::Zero();
-  velocity[Surge] = more[0];
-  velocity[Sway] = more[1];
-  velocity[Yaw] = more[2];
+  const Vec6 velocity = velocityOf(steadyOf(now) - steady_);
   if (velocity.allFinite()) memory_->addSteady(velocity);
 }
 
 Vec6 FreeRadiation::momentumOf(const Vec3& steady) const noexcept {
-  Vec6 more = Vec6::Zero();
-  more[Surge] = steady[0] - steady_[0];
-  more[Sway] = steady[1] - steady_[1];
-  more[Yaw] = steady[2] - steady_[2];
   const Mat6 remembered = predicted_->response().addedMassAtRest() - model_->addedMassInf();
-  return momentum_ + remembered * more;
+  return momentum_ + remembered * velocityOf(steady - steady_);
 }
 
 // Of V × R p_F about the level y, what the steady way has: a steady trim, of which this theory does
@@ -75,10 +75,10 @@ double FreeRadiation::meanYaw(const TickInput& now) const noexcept {
 Wrench FreeRadiation::evaluate(const TickInput& now) noexcept {
   if (!memory_) return {};
   memory_->setStep(now.lastStep);  // the convolution has been prepared for it
-  if (now.courseBegins || !begun_) begin(now);
+  const bool first = !begun_ || now.courseBegins;
+  if (first) begin(now);
   const Mat3& own = now.ownAxes;
   const Vec6 after = memory_->momentum(now.ownVelocity, now.step);
-  const bool first = !begun_ || now.courseBegins;
   const double share = limits_.share(now.ownVelocityNow, now.attitude(2, 2));
   const Vec6 before =
       first ? after

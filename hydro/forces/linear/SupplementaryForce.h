@@ -1,5 +1,6 @@
 #pragma once
 #include "hydro/database/Coefficients.h"
+#include "hydro/database/FreeMotion.h"
 #include "hydro/forces/ForceGenerator.h"
 
 namespace cutwater {
@@ -14,7 +15,7 @@ class SupplementaryForce final : public ForceGenerator {
  public:
   /// @param free  Mean::Free.
   explicit SupplementaryForce(const Supplementary& terms, bool free = false) : terms_(terms) {
-    if (free) terms_.stiffness[Surge] = terms_.stiffness[Sway] = terms_.stiffness[Yaw] = 0.0;
+    if (free) terms_.stiffness = freeStiffness(terms_.stiffness);
   }
   std::string_view name() const noexcept override { return "supplementary"; }
   Wrench evaluate(const TickInput& now) noexcept override {
