@@ -13,6 +13,8 @@
 #define CUTWATER_VECTOR
 #endif
 #define CUTWATER_INLINE inline __attribute__((always_inline))
+// The same for a lambda: [](double x) CUTWATER_INLINED { ... }
+#define CUTWATER_INLINED __attribute__((always_inline))
 
 namespace cutwater {
 

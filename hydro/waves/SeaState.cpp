@@ -25,8 +25,9 @@ CUTWATER_INLINE Double4 phaseAt(const Block& block, double t, double x, double y
 
 }  // namespace
 
-SeaState::SeaState(std::vector<WaveComponent> components, double gravity, double ramp)
-    : components_(std::move(components)), gravity_(gravity), ramp_(ramp) {
+SeaState::SeaState(std::vector<WaveComponent> components, double gravity, double ramp,
+                   WaveProfile profile)
+    : components_(std::move(components)), gravity_(gravity), ramp_(ramp), profile_(profile) {
   if (!(gravity > 0.0) || !std::isfinite(gravity)) {
     throw HydroError(Fault::ValueOutOfRange, "SeaState: gravity = " + std::to_string(gravity));
   }

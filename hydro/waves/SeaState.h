@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,13 @@ struct WaveComponent {
   double heading = 0.0;    ///< β [rad], −2π..2π: travels towards (cos β, −sin β) in E
 };
 
+/// Dynamic pressure of a sea at height z above calm water, over ρg and the ramp, for ζ = Σ a cos θ:
+///   Extrapolated  Σ a e^{kz} cos θ, above calm water as well: linear theory as it is written
+///   Wheeler       Σ a e^{k(z − ζ)} cos θ: ζ itself at the surface, so that p = 0 there
+///   Constant      Σ a e^{k min(z, 0)} cos θ
+enum class WaveProfile { Extrapolated, Wheeler, Constant };
+inline constexpr std::array kWaveProfileNames{"extrapolated", "wheeler", "constant"};
+
 /// e^{iθ} of four waves, θ = ωt − k(x cos β − y sin β) + ε: what every linear wave load is a sum
 /// over.
 struct alignas(32) Phasors4 {
@@ -34,13 +42,16 @@ class SeaState {
   SeaState() = default;
   /// @param gravity [m/s²] > 0.  @param ramp [s] ≥ 0: factor ½(1 − cos πt/ramp) until then, 1
   /// after.
+  /// @param profile  of the pressure on a wetted hull; linear wave loads have none.
   /// @throws HydroError ValueOutOfRange naming the component and value.
-  SeaState(std::vector<WaveComponent> components, double gravity, double ramp = 0.0);
+  SeaState(std::vector<WaveComponent> components, double gravity, double ramp = 0.0,
+           WaveProfile profile = WaveProfile::Extrapolated);
 
   std::span<const WaveComponent> components() const noexcept { return components_; }
   double gravity() const noexcept { return gravity_; }
   /// Wave number of component i [1/m].
   double waveNumber(std::size_t i) const noexcept { return waveNumber_[i]; }
+  WaveProfile profile() const noexcept { return profile_; }
   /// Growth factor at time t [s], 0..1.
   double ramp(double t) const noexcept;
   /// ζ [m] at time t [s] and earth position x, y [m]. No allocation; O(components).
@@ -69,6 +80,7 @@ class SeaState {
   std::vector<Block> blocks_;
   double gravity_ = kStandardGravity;
   double ramp_ = 0.0;
+  WaveProfile profile_ = WaveProfile::Extrapolated;
 };
 
 }  // namespace cutwater

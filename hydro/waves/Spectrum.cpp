@@ -146,7 +146,7 @@ SeaState makeSeaState(const Spectrum& spectrum, const SeaStateSettings& settings
       components[i].heading =
           withinATurn(settings.heading + spreadAngle(random, settings.spreading));
   }
-  return SeaState(std::move(components), spectrum.gravity, settings.ramp);
+  return SeaState(std::move(components), spectrum.gravity, settings.ramp, settings.profile);
 }
 
 }  // namespace cutwater

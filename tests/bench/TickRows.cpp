@@ -8,6 +8,7 @@
 #include "hydro/forces/PredictedMotion.h"
 #include "hydro/forces/linear/Radiation.h"
 #include "hydro/waves/Spectrum.h"
+#include "hydro/waves/WaterPressure.h"
 #include "plugin/Seaway.h"
 #include "tests/bench/Rows.h"
 #include "tests/forces/WaveLoads.h"
@@ -168,6 +169,41 @@ void benchParts(std::string& csv, const Shared& c) {
   }
 }
 
+/// Elevation and heads at as many points as the frigate's wetted hull has; the panels are points.
+/// @param near  [m] as WaterPressure has it: all points need two heads, or none.
+void benchWater(std::string& csv, const std::string& name, int components, double near) {
+  constexpr std::size_t kPoints = 57 * WaterPressure::kLanes;
+  const int times = 400000 / (components + 20);
+  std::vector<double> x, y, z;
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    const double at = static_cast<double>(i) / kPoints;
+    x.push_back(100.0 * at - 50.0);
+    y.push_back(6.0 * std::sin(100.0 * at));
+    z.push_back(5.0 * std::sin(170.0 * at));
+  }
+  std::vector<double> elevation(kPoints), head(kPoints), surfaceHead(kPoints);
+  WaterPressure water(sea(components));
+  Row row{"water pressure: components " + std::to_string(components) + name, kPoints, 1};
+  row.seconds =
+      secondsOf([&] {
+        for (int i = 0; i < times; ++i) {
+          water.at(kTick60 * i, 0.0, 0.0, {x, y, z}, near, {elevation, head, surfaceHead});
+          row.checksum += head[0];
+        }
+      }) /
+      times;
+  if (components == 1) row.budget = 8e-6;
+  if (components == 200) row.budget = 200e-6;
+  add(csv, row);
+}
+
+void benchWater(std::string& csv) {
+  for (const int components : {1, 20, 200, 1000}) {
+    benchWater(csv, "", components, 100.0);
+    benchWater(csv, ", far below the surface", components, -100.0);
+  }
+}
+
 /// One second of a fleet at 60 Hz; the floor is Bullet with as many plain bodies.
 void benchFleet(std::string& csv, const std::string& name, const Shared& c, int ships,
                 int components, const ShipSettings& settings, unsigned threads = 1) {
@@ -198,6 +234,7 @@ void benchTimeDomain(std::string& csv, const Coefficients& coefficients) {
   fixed.model.mean = Mean::Fixed;
   ShipSettings oracle = fixed;
   oracle.model.memory = MemoryModel::Convolution;
+  benchWater(csv);
   benchShare(csv, "linear ship, one tick, 6 modes, 200 wave components", c, 200, 2e-6, fixed);
   benchShare(csv, "linear ship, one tick, 6 modes, regular wave", c, 1, 2e-6, fixed);
   benchShare(csv, "linear ship, one tick, free and kept, regular wave", c, 1, 0.0, free);

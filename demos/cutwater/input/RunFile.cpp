@@ -91,7 +91,7 @@ void readWaves(TomlSection waves, RunFile& run) {
       "type", "none",
       {"regular", "jonswap", "bretschneider", "pierson-moskowitz", "components", "none"});
   run.sea.ramp = waves.number("ramp", 20.0, 0.0, 1e5);
-  waves.text("profile", "extrapolated", {"extrapolated", "wheeler", "constant"});
+  run.sea.profile = waves.choice("profile", kWaveProfileNames, run.sea.profile);
   if (type == "regular") {
     readRegular(waves, run);
   } else if (type == "components") {
@@ -188,11 +188,12 @@ RunFile readRunFile(const std::string& path, Mean usual) {
 SeaState RunFile::seaState(double gravity, std::size_t index) const {
   switch (waves) {
     case Waves::None:
-      return SeaState({}, gravity, sea.ramp);
+      return SeaState({}, gravity, sea.ramp, sea.profile);
     case Waves::Regular:
-      return SeaState({{omega.at(index), amplitude, phase, heading}}, gravity, sea.ramp);
+      return SeaState({{omega.at(index), amplitude, phase, heading}}, gravity, sea.ramp,
+                      sea.profile);
     case Waves::Components:
-      return SeaState(components, gravity, sea.ramp);
+      return SeaState(components, gravity, sea.ramp, sea.profile);
     case Waves::Spectrum:
       break;
   }

@@ -10,7 +10,6 @@
 #include "demos/cutwater/input/Toml.h"
 #include "demos/cutwater/output/Messages.h"
 #include "hydro/Errors.h"
-#include "hydro/base/EnumNames.h"
 
 namespace cutwater::command {
 
@@ -140,13 +139,6 @@ std::vector<double> waveFrequencies(TomlSection& solve, const std::vector<double
   return values.empty() ? omega : values;
 }
 
-// The enumerator whose name, one of `names`, the file gives.
-template <class Enum, class Names>
-Enum choice(TomlSection& section, const std::string& key, const Names& names, Enum fallback) {
-  const std::string name = section.text(key, nameOf(names, fallback), {names.begin(), names.end()});
-  return *fromName<Enum>(names, name);
-}
-
 // 1, 4 or 9; "auto" is 0 where it is allowed.
 int points(TomlSection& solve, const std::string& key, int fallback, bool automatic) {
   if (automatic && solve.isText(key)) {
@@ -181,13 +173,13 @@ ConditionLimit conditionLimit(TomlSection& solve, const std::string& key) {
 }
 
 void readMethods(TomlSection& solve, SolveSettings& settings) {
-  settings.formulation = choice(solve, "formulation", kFormulationNames, settings.formulation);
-  settings.derivatives = choice(solve, "derivatives", kDerivativesNames, settings.derivatives);
+  settings.formulation = solve.choice("formulation", kFormulationNames, settings.formulation);
+  settings.derivatives = solve.choice("derivatives", kDerivativesNames, settings.derivatives);
   if (settings.derivatives == Derivatives::Source && settings.formulation != Formulation::Source) {
     solve.refuse("derivatives", "needs formulation = \"source\"");
   }
-  settings.forwardSpeed = choice(solve, "forward_speed", kForwardSpeedNames, settings.forwardSpeed);
-  settings.influence = choice(solve, "influence", kInfluenceNames, settings.influence);
+  settings.forwardSpeed = solve.choice("forward_speed", kForwardSpeedNames, settings.forwardSpeed);
+  settings.influence = solve.choice("influence", kInfluenceNames, settings.influence);
   settings.sourcePoints = points(solve, "source_points", settings.sourcePoints, true);
   settings.galerkinPoints = points(solve, "galerkin_points", settings.galerkinPoints, false);
   settings.panelShape = panelShape(solve, settings.panelShape);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "hydro/Conventions.h"
+#include "hydro/base/EnumNames.h"
 
 namespace cutwater::command {
 
@@ -20,6 +21,11 @@ class TomlSection {
   /// One of `allowed` (any text if empty).
   std::string text(const std::string& key, const std::string& fallback,
                    const std::vector<std::string>& allowed = {});
+  /// The enumerator whose name, one of `names`, the file gives.
+  template <class Enum, class Names>
+  Enum choice(const std::string& key, const Names& names, Enum fallback) {
+    return *fromName<Enum>(names, text(key, nameOf(names, fallback), {names.begin(), names.end()}));
+  }
   /// The file that `key` names, its path relative to this file's folder: it must exist, and not be
   /// what the command writes.
   std::string file(const std::string& key);

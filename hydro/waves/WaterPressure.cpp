@@ -1,0 +1,129 @@
+#include "hydro/waves/WaterPressure.h"
+
+#include <cmath>
+
+#include "hydro/base/SimdSingle.h"
+
+namespace cutwater {
+
+namespace {
+
+constexpr std::size_t kGroup = 16;  // waves whose sum is kept in single precision
+
+/// Σ term(i) over so many waves, in groups.
+template <class Single>
+CUTWATER_INLINE auto sumOver(std::size_t waves, const auto& term) {
+  decltype(toDouble(Single{})) sum = {};
+  for (std::size_t begin = 0; begin < waves; begin += kGroup) {
+    const std::size_t end = begin + kGroup < waves ? begin + kGroup : waves;
+    Single group = {};
+    for (std::size_t i = begin; i < end; ++i) group += term(i);
+    sum = sum + toDouble(group);
+  }
+  return sum;
+}
+
+/// θ/2π of a wave, −½..½.
+template <class Half>
+CUTWATER_INLINE auto turnsAt(const auto& wave, const Doubles<Half>& x, const Doubles<Half>& y) {
+  return toSingle(
+      Doubles<Half>{partOfTurn(wave.turns - wave.turnsX * x.low - wave.turnsY * y.low),
+                    partOfTurn(wave.turns - wave.turnsX * x.high - wave.turnsY * y.high)});
+}
+
+/// ζ; keeps what each wave has of it for headAt.
+template <class Double>
+CUTWATER_INLINE Double elevationAt(const auto& sea, const Double& x, const Double& y) {
+  using Single = decltype(toSingle(x));
+  const auto* waves = sea.waves.data();
+  auto* heights = sea.heights.data();
+  return sumOver<Single>(sea.waves.size(), [&](std::size_t i) CUTWATER_INLINED {
+    const Single height = waves[i].height * cosineOfTurns(turnsAt(waves[i], x, y));
+    storeAs(heights + i, height);
+    return height;
+  });
+}
+
+/// r Σ a e^{kz} cos θ.
+template <class Double>
+CUTWATER_INLINE Double headAt(const auto& sea, const Double& z) {
+  const auto level = toSingle(z);
+  using Single = decltype(toSingle(z));
+  const auto* waves = sea.waves.data();
+  const auto* heights = sea.heights.data();
+  return sumOver<Single>(sea.waves.size(), [&](std::size_t i) CUTWATER_INLINED {
+    return loadAs<Single>(heights + i) * powerOfTwo(waves[i].octaves * level);
+  });
+}
+
+/// The water at the points from `first` on, as many as Double holds. Where the point and the
+/// surface are at one height, so are the two exponents, to the bit, and with them both heads.
+template <class Double>
+CUTWATER_INLINE void waterAt(const auto& sea, const auto& points, std::size_t first, double near,
+                             const auto& water) {
+  const Double z = loadAs<Double>(&points.z[first]);
+  const Double zeta =
+      elevationAt(sea, loadAs<Double>(&points.x[first]), loadAs<Double>(&points.y[first]));
+  storeAs(&water.elevation[first], zeta);
+  if (sea.profile == WaveProfile::Wheeler) {
+    storeAs(&water.head[first], headAt(sea, least(z, zeta) - zeta));
+    storeAs(&water.surfaceHead[first], zeta);
+    return;
+  }
+  const Double surface = sea.profile == WaveProfile::Constant ? least(zeta, Double{}) : zeta;
+  storeAs(&water.head[first], headAt(sea, least(z, surface)));
+  bool isNear = false;
+  for (std::size_t i = first; i < first + sizeof(Double) / sizeof(double); ++i)
+    isNear |= points.z[i] > -near;
+  storeAs(&water.surfaceHead[first], isNear ? headAt(sea, surface) : zeta);
+}
+
+}  // namespace
+
+CUTWATER_WIDE void WaterPressure::evaluateWide(const Sea& sea, const Points& points, double near,
+                                               const Water& water) noexcept {
+  static_assert(sizeof(Doubles16) == kLanes * sizeof(double));
+  for (std::size_t first = 0; first + kLanes <= points.z.size(); first += kLanes)
+    waterAt<Doubles16>(sea, points, first, near, water);
+}
+
+CUTWATER_VECTOR void WaterPressure::evaluate(const Sea& sea, const Points& points, double near,
+                                             const Water& water) noexcept {
+  for (std::size_t first = 0; first + kLanes <= points.z.size(); first += kLanes) {
+    waterAt<Doubles8>(sea, points, first, near, water);
+    waterAt<Doubles8>(sea, points, first + kLanes / 2, near, water);
+  }
+}
+
+WaterPressure::WaterPressure(const SeaState& sea, bool wide)
+    : sea_(sea), wide_(wide && wideRegisters()), heights_(sea.components().size()) {
+  constexpr double kPerRadian = 1.0 / (2.0 * kPi);  // turns
+  for (std::size_t i = 0; i < heights_.size(); ++i) {
+    const WaveComponent& c = sea_.components()[i];
+    const double k = sea_.waveNumber(i);
+    components_.push_back({kPerRadian * c.omega, kPerRadian * c.phase, c.amplitude});
+    waves_.push_back({0.0, kPerRadian * k * std::cos(c.heading),
+                      -kPerRadian * k * std::sin(c.heading), 0.0F,
+                      static_cast<float>(k / std::log(2.0))});
+  }
+}
+
+void WaterPressure::at(double time, double originX, double originY, const Points& points,
+                       double near, const Water& water) noexcept {
+  const double ramp = sea_.ramp(time);
+  for (std::size_t i = 0; i < waves_.size(); ++i) {
+    const Component& c = components_[i];
+    Wave& wave = waves_[i];
+    wave.turns = partOfTurn(c.turnsPerSecond * time + c.turns - wave.turnsX * originX -
+                            wave.turnsY * originY);
+    wave.height = static_cast<float>(ramp * c.amplitude);
+  }
+  const Sea sea{waves_, heights_, sea_.profile()};
+  if (wide_) {
+    evaluateWide(sea, points, near, water);
+  } else {
+    evaluate(sea, points, near, water);
+  }
+}
+
+}  // namespace cutwater
