@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 
 #include "hydro/base/SimdMath.h"
@@ -27,14 +28,6 @@ using Single8 = float __attribute__((vector_size(32)));
 using Single16 = float __attribute__((vector_size(64)));
 using Double8 = double __attribute__((vector_size(64)));
 
-/// Eight or sixteen numbers in double precision.
-template <class Half>
-struct Doubles {
-  Half low, high;
-};
-using Doubles8 = Doubles<Double4>;
-using Doubles16 = Doubles<Double8>;
-
 template <class Vector>
 CUTWATER_INLINE Vector loadAs(const void* from) {
   Vector x;
@@ -45,6 +38,23 @@ template <class Vector>
 CUTWATER_INLINE void storeAs(void* to, const Vector& x) {
   __builtin_memcpy(to, &x, sizeof(x));
 }
+
+/// Eight or sixteen numbers in double precision. (Read and written by halves: the copy of a struct
+/// goes through memory in pieces that the machine then waits for.)
+template <class Half>
+struct Doubles {
+  static constexpr std::size_t kHalf = sizeof(Half) / sizeof(double);
+  static CUTWATER_INLINE Doubles load(const double* from) {
+    return {loadAs<Half>(from), loadAs<Half>(from + kHalf)};
+  }
+  CUTWATER_INLINE void store(double* to) const {
+    storeAs(to, low);
+    storeAs(to + kHalf, high);
+  }
+  Half low, high;
+};
+using Doubles8 = Doubles<Double4>;
+using Doubles16 = Doubles<Double8>;
 
 /// Each rounded to the nearest in single precision.
 CUTWATER_INLINE Single8 toSingle(const Doubles8& x) {

@@ -61,21 +61,21 @@ CUTWATER_INLINE Double headAt(const auto& sea, const Double& z) {
 template <class Double>
 CUTWATER_INLINE void waterAt(const auto& sea, const auto& points, std::size_t first, double near,
                              const auto& water) {
-  const Double z = loadAs<Double>(&points.z[first]);
+  const Double z = Double::load(&points.z[first]);
   const Double zeta =
-      elevationAt(sea, loadAs<Double>(&points.x[first]), loadAs<Double>(&points.y[first]));
-  storeAs(&water.elevation[first], zeta);
+      elevationAt(sea, Double::load(&points.x[first]), Double::load(&points.y[first]));
+  zeta.store(&water.elevation[first]);
   if (sea.profile == WaveProfile::Wheeler) {
-    storeAs(&water.head[first], headAt(sea, least(z, zeta) - zeta));
-    storeAs(&water.surfaceHead[first], zeta);
+    headAt(sea, least(z, zeta) - zeta).store(&water.head[first]);
+    zeta.store(&water.surfaceHead[first]);
     return;
   }
   const Double surface = sea.profile == WaveProfile::Constant ? least(zeta, Double{}) : zeta;
-  storeAs(&water.head[first], headAt(sea, least(z, surface)));
+  headAt(sea, least(z, surface)).store(&water.head[first]);
   bool isNear = false;
   for (std::size_t i = first; i < first + sizeof(Double) / sizeof(double); ++i)
     isNear |= points.z[i] > -near;
-  storeAs(&water.surfaceHead[first], isNear ? headAt(sea, surface) : zeta);
+  (isNear ? headAt(sea, surface) : zeta).store(&water.surfaceHead[first]);
 }
 
 }  // namespace

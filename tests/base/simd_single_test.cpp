@@ -16,17 +16,16 @@ template <class Double>
 CUTWATER_INLINE void cosinesOf(const double* x, double* result) {
   constexpr std::size_t kLanes = sizeof(Double) / sizeof(double);
   for (std::size_t i = 0; i < kCount; i += kLanes) {
-    const Double turns = loadAs<Double>(x + i);
-    storeAs(
-        result + i,
-        toDouble(cosineOfTurns(toSingle(Double{partOfTurn(turns.low), partOfTurn(turns.high)}))));
+    const Double turns = Double::load(x + i);
+    toDouble(cosineOfTurns(toSingle(Double{partOfTurn(turns.low), partOfTurn(turns.high)})))
+        .store(result + i);
   }
 }
 template <class Double>
 CUTWATER_INLINE void powersOf(const double* x, double* result) {
   constexpr std::size_t kLanes = sizeof(Double) / sizeof(double);
   for (std::size_t i = 0; i < kCount; i += kLanes)
-    storeAs(result + i, toDouble(powerOfTwo(toSingle(loadAs<Double>(x + i)))));
+    toDouble(powerOfTwo(toSingle(Double::load(x + i)))).store(result + i);
 }
 CUTWATER_VECTOR void cosines(const double* x, double* result) { cosinesOf<Doubles8>(x, result); }
 CUTWATER_WIDE void cosinesWide(const double* x, double* result) { cosinesOf<Doubles16>(x, result); }
