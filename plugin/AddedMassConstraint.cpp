@@ -131,6 +131,20 @@ void AddedMassConstraint::heedFactors() noexcept {
   findRows(projection * addedMass_ * projection);
 }
 
+void AddedMassConstraint::change(const Change& change) noexcept {
+  kept_ = addedMass_ - change.left;
+  met_ = change.met;
+  changed_ = true;
+  addedMass_ = change.now;
+  if (!held_) findRows(addedMass_);
+}
+
+void AddedMassConstraint::setAddedMass(const Mat6& addedMass) noexcept {
+  changed_ = false;
+  addedMass_ = addedMass;
+  if (!held_) findRows(addedMass_);
+}
+
 AddedMassConstraint::TurningAxes AddedMassConstraint::axes() const noexcept {
   if (follows_) return followed_;
   const Mat3 body = fromBullet(m_rbA.getWorldTransform().getBasis());
@@ -153,6 +167,7 @@ void AddedMassConstraint::setPast(const btVector3& linear, const btVector3& angu
   linear_ = linear;
   angular_ = angular;
   pastAxes_ = axes;
+  changed_ = false;
 }
 
 Vec3 AddedMassConstraint::force() const noexcept {
@@ -193,11 +208,12 @@ void AddedMassConstraint::pendingChange(Vec3& linear, Vec3& angular) const noexc
             fromBullet(gyroscopicChange(m_rbA, step_));
 }
 
-// A∞(v⁻ − V) in the axes of then: Σ l (J·(v⁻ − V)) J.
+// A∞(v⁻ − V) in the axes of then: Σ l (J·(v⁻ − V)) J. Of an A∞ that has changed, what is left.
 Vec6 AddedMassConstraint::pastMomentum() const noexcept {
   Vec6 velocity;
   velocity << pastAxes_.linear.transpose() * (fromBullet(linear_) - mean_),
       pastAxes_.angular.transpose() * fromBullet(angular_);
+  if (changed_) return kept_ * velocity + met_;
   Vec6 momentum = Vec6::Zero();
   for (int r = 0; r < count_; ++r) {
     const Row& row = rows_[static_cast<std::size_t>(r)];
@@ -246,7 +262,7 @@ Vec6 AddedMassConstraint::momentum() const noexcept {
 void AddedMassConstraint::giveWhatNoRowCarries() noexcept {
   if (!active_ || held_ || count_ == 6) return;
   const TurningAxes now = axes();
-  if (same(now.linear, pastAxes_.linear) && same(now.angular, pastAxes_.angular)) return;
+  if (stands(now)) return;
   const Vec6 momentum = carriedInto(now);
   Vec6 rest = momentum;
   for (int r = 0; r < count_; ++r) {
@@ -259,6 +275,11 @@ void AddedMassConstraint::giveWhatNoRowCarries() noexcept {
   m_rbA.applyTorqueImpulse(toBullet(Vec3(now.angular * rest.tail<3>())));
 }
 
+// Nothing is returned or met: A∞ is as it was, and so are its axes.
+bool AddedMassConstraint::stands(const TurningAxes& now) const noexcept {
+  return !changed_ && same(now.linear, pastAxes_.linear) && same(now.angular, pastAxes_.angular);
+}
+
 void AddedMassConstraint::beginTick(btScalar step) noexcept {
   step_ = step;
   solved_ = axes();  // Bullet asks for no rows where there are none
@@ -269,7 +290,7 @@ void AddedMassConstraint::beginTick(btScalar step) noexcept {
 // what is returned. V's momentum stands for J·V itself.
 Vec6 AddedMassConstraint::changeByTurning(const TurningAxes& now) const noexcept {
   Vec6 change = Vec6::Zero();
-  if (same(now.linear, pastAxes_.linear) && same(now.angular, pastAxes_.angular)) return change;
+  if (stands(now)) return change;
   const Vec6 momentum = carriedInto(now);
   const Vec3 swung = now.linear.transpose() * (fromBullet(linear_) - mean_);
   const Vec3 turned = now.angular.transpose() * fromBullet(angular_);

@@ -63,6 +63,17 @@ class AddedMassConstraint : public btTypedConstraint {
     share_ = share;
     follows_ = true;
   }
+  /// What changes of A∞ from one solve to the next, in its axes and the world's units: a hull that
+  /// enters or leaves the water.
+  struct Change {
+    Mat6 now = Mat6::Zero();   ///< A∞ from now on, symmetric
+    Mat6 left = Mat6::Zero();  ///< of the one before: goes its own way, and takes its momentum
+    Vec6 met = Vec6::Zero();   ///< momentum that came with what is new
+  };
+  /// Call before beginTick. What is new and came without momentum has to be set going: a blow.
+  void change(const Change& change) noexcept;
+  /// A∞ is this, and was it at v⁻: nothing has changed.
+  void setAddedMass(const Mat6& addedMass) noexcept;
   /// V [units/s] in the world's axes. Without it V = 0.
   void setMean(const btVector3& velocity) noexcept { mean_ = fromBullet(velocity); }
   /// Off: it applies nothing until it is on again, when what happened before is not felt.
@@ -108,13 +119,17 @@ class AddedMassConstraint : public btTypedConstraint {
   void findRows(const Mat6& addedMass) noexcept;
   void heedFactors() noexcept;
   void pendingChange(Vec3& linear, Vec3& angular) const noexcept;
+  bool stands(const TurningAxes& now) const noexcept;
   Vec6 pastMomentum() const noexcept;
   Vec6 carriedInto(const TurningAxes& now) const noexcept;
   Vec6 changeByTurning(const TurningAxes& now) const noexcept;
   void giveWhatNoRowCarries() noexcept;
 
   Mat6 addedMass_;  // A∞, symmetric
-  Vec6 root_;       // √M
+  Mat6 kept_;       // of that at v⁻, if it has changed since
+  Vec6 met_ = Vec6::Zero();
+  bool changed_ = false;
+  Vec6 root_;  // √M
   std::array<Row, 6> rows_;
   int count_ = 0;
   bool held_ = false;          // by a factor: rows are of P A∞ P

@@ -11,6 +11,7 @@
 #include "hydro/forces/OwnAxes.h"
 #include "hydro/forces/PredictedMotion.h"
 #include "hydro/forces/SeaTables.h"
+#include "hydro/forces/nonlinear/WettedHull.h"
 #include "plugin/Rig.h"
 #include "plugin/ShipAxes.h"
 #include "plugin/ShipBody.h"
@@ -57,6 +58,7 @@ Ship::Ship(btDiscreteDynamicsWorld& world, const WorldFrame& frame,
     const Vec3 at = position();
     beginFixed(at.x(), at.y(), attitude()[2], start.speed);
   }
+  makeWetted(settings.model);
   makeParts(settings);
   rig_->addedMass.lent.make(*body_, frame_.mass(coefficients().addedMass.atInfinity));
   switchOff(settings.model.without);
@@ -118,6 +120,17 @@ void Ship::takeOver() {
   worldGravity_ = world_.getGravity();
 }
 
+void Ship::makeWetted(const ShipModel& model) {
+  const bool usual = free() && hydrodynamics().closedHull();
+  const HullPressure mode =
+      model.mode.value_or(usual ? HullPressure::Nonlinear : HullPressure::Linear);
+  if (mode == HullPressure::Linear) return;
+  pressureHull_ = tables_->pressureHull(static_cast<std::size_t>(model.hullTriangles));
+  const ShipParticulars& ship = coefficients().ship;
+  wetted_ = std::make_shared<WettedHull>(pressureHull_, tables_, ship.density, ship.gravity,
+                                         model.immersion == Immersion::Scaled);
+}
+
 TurningLimits Ship::turningLimits() const noexcept { return {fastest_, 0.5 * length()}; }
 
 // Speeds at which free motions grow, and the tick that the fastest of them can bear.
@@ -175,6 +188,7 @@ void Ship::forget() noexcept {
 
 // v⁻ is the velocity as it is; a free ship's course begins at it.
 void Ship::startAgain() noexcept {
+  if (nonlinear()) wetted_->forget();
   turnAddedMass(ownAxesNow());
   added().forgetPast();
   velocityAfter_ = velocityInEarth(body_->getLinearVelocity(), body_->getAngularVelocity());

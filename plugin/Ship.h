@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hydro/forces/ForceGenerator.h"
@@ -17,12 +18,14 @@ class Autopilots;
 class FreeRadiation;
 class Hydrodynamics;
 class PredictedMotion;
+class PressureHull;
 class Resistance;
 class SeaTables;
 struct TurningLimits;
 struct Coefficients;
 struct CourseForces;
 struct Helm;
+class WettedHull;
 }  // namespace cutwater
 
 CUTWATER_PLUGIN_BEGIN
@@ -76,6 +79,14 @@ struct PointMotion {
   Vec3 position, velocity, acceleration;  ///< [m], [m/s], [m/s²]
 };
 
+/// What of a hull the water covers (Ship::wetted).
+struct Wetted {
+  double area = 0.0;           ///< wetted [m²]
+  double volume = 0.0;         ///< submerged [m³]
+  Vec3 centre = Vec3::Zero();  ///< of that volume, the centre of buoyancy, in E [m]
+  double immersion = 1.0;      ///< s, 0 out of the water .. 1 (TickInput::immersion)
+};
+
 /// roll, pitch, yaw [rad] of R = R_z(yaw) R_y(pitch) R_x(roll); finite for every rotation.
 Vec3 eulerAngles(const Mat3& rotation) noexcept;
 
@@ -91,6 +102,8 @@ Vec3 motionAngles(const Mat3& rotation) noexcept;
 ///
 /// The load is a list of parts:
 ///     gravity         the weight: the world's gravity, which the ship takes over from Bullet
+///     wetted_pressure  nonlinear mode: the undisturbed waves' pressure on the hull in them; it
+///                     replaces the next two
 ///     restoring       calm water: what balances gravity at rest, − C η
 ///     froude_krylov   the undisturbed waves
 ///     diffraction     the waves that the hull throws back
@@ -149,7 +162,9 @@ class Ship {
   /// (M + A∞)v in E: momentum [N·s] and moment of momentum about G [N·m·s] of ship and water.
   Vec6 momentum() const noexcept;
   /// ½vᵀ(M + A∞)v + ½ηᵀCη [J] in the middle of the last tick: Bullet's velocity is the mean over
-  /// it.
+  /// it. In nonlinear mode the potential is m g z_G − ρg∫z dV of the water displaced, less that of
+  /// the ship at rest, at the start of the last tick, and the velocity the mean of those before and
+  /// after it.
   double energy() const noexcept;
   /// A point that moves with the ship. @param point in the hull file's axes turned to ours [m].
   /// Acceleration is the mean over the last tick.
@@ -157,6 +172,13 @@ class Ship {
   /// Water above the keel [m], waves included, at a distance x [m] before the hull file's origin;
   /// negative where the keel is out of the water.
   double draught(double time, double x = 0.0) const noexcept;
+  /// What of the hull was wet at the start of the last tick. Absent in linear mode, whose hull is
+  /// always that at rest.
+  std::optional<Wetted> wetted() const noexcept;
+  /// The waterline then, in pieces and in no order: pairs of ends in E [m]. Empty in linear mode.
+  std::vector<std::pair<Vec3, Vec3>> waterline() const;
+  /// The hull that the pressure is integrated on, with what is said of it; null in linear mode.
+  const PressureHull* pressureHull() const noexcept { return pressureHull_.get(); }
   /// Distance [m] between G and its mean place, where the waves are taken.
   double offCourse() const noexcept;
   /// Pose of the hull file's axes (x forward, y port, z up) in the world, in Bullet's axes and
@@ -251,6 +273,7 @@ class Ship {
     TickRecord record;
     std::array<double, MeanCourse::kStateSize> course, line;
     std::vector<double> predicted;       // of a free ship
+    std::vector<double> immersed;        // in nonlinear mode
     std::uint64_t hydrodynamicsKey = 0;  // Hydrodynamics::key
     std::uint64_t partsKey = 0;          // of the names of the parts
     std::vector<std::size_t> sizes;      // numbers of each part's state
@@ -296,6 +319,7 @@ class Ship {
   void requireCourse(Mean mean, double speed) const;
   void takeOver();
   void makeParts(const ShipSettings& settings);
+  void makeWetted(const ShipModel& model);
   void makeDrive(const ShipModel& model);
   Helm& helmFor(const char* order, const char* part, double value) const;
   void addPart(ShipPart part);
@@ -337,9 +361,15 @@ class Ship {
   void forget() noexcept;
   void startAgain() noexcept;
   void turnAddedMass(const Mat3& own) const noexcept;
+  void immerseAddedMass() const noexcept;
+  Mat6 addedMassNow() const noexcept;
+  double mass() const noexcept;
+  void findWetted() noexcept;
+  double energyAtTick() const noexcept;
   TurningLimits turningLimits() const noexcept;
   void aimRestraint(double step) noexcept;
   bool free() const noexcept { return predicted_ != nullptr; }
+  bool nonlinear() const noexcept { return wetted_ != nullptr; }
 
   // What others did to the body (ShipGuard.cpp).
   void leaveWorld();
@@ -354,6 +384,7 @@ class Ship {
   std::uint32_t mendState() noexcept;
   std::uint32_t lookForChanges() noexcept;
   std::uint32_t lookForMoves() noexcept;
+  bool outOfWater() const noexcept;
   std::uint32_t outsideTheory() const noexcept;
   void remember() noexcept;
   void set(const Known& state) noexcept;
@@ -370,6 +401,8 @@ class Ship {
   bool worldLives_ = false;
   int flagsFound_ = 0, activationFound_ = 0;  // of the user's body
   btVector3 gravityFound_;
+  std::shared_ptr<const PressureHull> pressureHull_;  // nonlinear mode
+  std::shared_ptr<WettedHull> wetted_;                // nonlinear mode
   std::array<bool, 6> restrained_{};
   double fastest_ = 0.0;  // up to which its motions were looked at [m/s]
   MeanCourse course_;

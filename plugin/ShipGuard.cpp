@@ -5,6 +5,7 @@
 #include "hydro/Errors.h"
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/forces/SeaTables.h"
+#include "hydro/forces/nonlinear/WettedHull.h"
 #include "plugin/Rig.h"
 #include "plugin/Ship.h"
 #include "plugin/ShipAxes.h"
@@ -15,6 +16,7 @@ CUTWATER_PLUGIN_BEGIN
 
 namespace {
 
+constexpr double kHardly = 1e-9;           // of the hull's volume
 constexpr double kSetElsewhere = 0.25;     // of the length: further than a correction by hand
 constexpr double kTurnedAway = kPi / 6.0;  // [rad] likewise
 constexpr double kSameHeading = 0.1;       // [rad]: a fixed course keeps its heading
@@ -190,6 +192,7 @@ AddedMassConstraint& Ship::added() const {
     mass.head<3>().setConstant(1.0 / static_cast<double>(inverseMass_));
     mass.tail<3>() = fromBullet(inverseInertia_).cwiseInverse();
     lent.make(*body_, frame_.mass(coefficients().addedMass.atInfinity), mass);
+    if (nonlinear()) lent->setAddedMass(frame_.mass(addedMassNow()));
     turnAddedMass(ownAxesNow());
     lent->forgetPast();
     lent->setActive(parts_[addedMassPart_].on);
@@ -278,17 +281,26 @@ std::uint32_t Ship::lookForMoves() noexcept {
   return kCourseBegan;
 }
 
+// Wholly above the waves, or below them.
+bool Ship::outOfWater() const noexcept {
+  if (nonlinear()) {
+    const double whole = pressureHull_->triangles().volume(), volume = wetted_->volume();
+    return !(volume > kHardly * whole) || volume >= (1.0 - kHardly) * whole;
+  }
+  const Hydrodynamics& hydro = hydrodynamics();
+  const double above = input_.eta[Heave] - elevation_;  // G's calm place, over the waves
+  const bool flies = hydro.keel() < 0.0 && above + hydro.keel() > 0.0;
+  const bool drowns = hydro.top() > kKnownTop * length() && above + hydro.top() < 0.0;
+  return flies || drowns;
+}
+
 std::uint32_t Ship::outsideTheory() const noexcept {
   std::uint32_t faults = kStepOk;
-  const Hydrodynamics& hydro = hydrodynamics();
   const Vec6& eta = input_.eta;
   if (input_.speed >= growsAhead_ || -input_.speed >= growsAstern_) faults |= kSpeedOutsideTheory;
   if (input_.attitude(2, 2) < std::cos(kLargestTilt) || std::abs(eta[Yaw]) > kLargestYaw)
     faults |= kAttitudeOutsideTheory;
-  const double above = eta[Heave] - elevation_;  // G's calm place, over the waves
-  const bool flies = hydro.keel() < 0.0 && above + hydro.keel() > 0.0;
-  const bool drowns = hydro.top() > kKnownTop * length() && above + hydro.top() < 0.0;
-  if (flies || drowns) faults |= kOutOfWater;
+  if (outOfWater()) faults |= kOutOfWater;
   const bool waves = input_.ramp > 0.0 && !input_.sea->components().empty();
   if (!free() && waves && std::hypot(eta[Surge], eta[Sway]) > kFarOff * length())
     faults |= kFarFromCourse;

@@ -7,6 +7,7 @@
 #include "hydro/forces/OwnAxes.h"
 #include "hydro/forces/PredictedMotion.h"
 #include "hydro/forces/SeaTables.h"
+#include "hydro/forces/nonlinear/WettedHull.h"
 #include "plugin/Rig.h"
 #include "plugin/Ship.h"
 #include "plugin/ShipAxes.h"
@@ -111,6 +112,30 @@ void Ship::findSlowMotion() noexcept {
   predicted_->compare({along.x(), along.y(), headingRate}, input_.step, input_.courseBegins);
 }
 
+// Diffraction and what else is known of an upright hull alone ends between 45 and 90 degrees of
+// tilt.
+void Ship::findWetted() noexcept {
+  if (!nonlinear()) return;
+  const WettedHull::Place actual{input_.position, input_.attitude};
+  WettedHull::Place slow = actual;
+  if (free()) {
+    slow.position.x() = course_.x();
+    slow.position.y() = course_.y();
+    slow.attitude = rotationZ(course_.heading() - heading()) * input_.attitude;
+  }
+  wetted_->look(input_.time, actual, slow);
+  input_.immersion = wetted_->immersion();
+  const double beyond = 1.0 - std::clamp(input_.attitude(2, 2) / std::sqrt(0.5), 0.0, 1.0);
+  input_.upright = 1.0 - beyond * beyond * (3.0 - 2.0 * beyond);
+}
+
+// The database's, but of a body that somebody has made heavier or lighter.
+double Ship::mass() const noexcept {
+  const btScalar inverse = body_->getInvMass();
+  if (inverse == inverseMass_ || !(inverse > 0)) return coefficients().ship.mass;
+  return frame_.kilogramsPerUnit / static_cast<double>(inverse);
+}
+
 void Ship::findInput(double time, double step) noexcept {
   TickInput& now = input_;
   now.time = time;
@@ -127,6 +152,7 @@ void Ship::findInput(double time, double step) noexcept {
   } else {
     now.sea->phasors(time, course_.x(), course_.y(), phasors_);
   }
+  findWetted();
   now.meanX = course_.x();
   now.meanY = course_.y();
   now.meanHeading = course_.heading();
@@ -134,7 +160,7 @@ void Ship::findInput(double time, double step) noexcept {
   now.leeway = course_.leeway();
   now.turnRate = course_.turnRate();
   findMotion(now);
-  now.weight = coefficients().ship.mass * (toCourse() * frame_.lengthToEarth(world_.getGravity()));
+  now.weight = mass() * (toCourse() * frame_.lengthToEarth(world_.getGravity()));
   const Mat3 toBody = now.attitude.transpose();
   now.velocityNow = rotated(toBody, toBody, velocityNow());
   elevation_ = now.ramp * now.sea->elevation(now.phasors);

@@ -20,6 +20,7 @@
 #include "hydro/forces/linear/SupplementaryForce.h"
 #include "hydro/forces/linear/WaveForce.h"
 #include "hydro/forces/manoeuvring/Resistance.h"
+#include "hydro/forces/nonlinear/WettedPressure.h"
 #include "plugin/Rig.h"
 #include "plugin/SettingsCheck.h"
 #include "plugin/Ship.h"
@@ -49,6 +50,7 @@ void Ship::makeParts(const ShipSettings& settings) {
     addPart({.name = name, .force = std::move(force)});
   };
   addPart({.name = "gravity", .potentialFlow = true});
+  if (nonlinear()) database(std::make_unique<WettedPressure>(wetted_));
   database(std::make_unique<Restoring>(c.ship, free()));
   if (free()) {
     for (const WaveLoad load : {WaveLoad::FroudeKrylov, WaveLoad::Diffraction})
@@ -123,12 +125,14 @@ void Ship::partsChanged() {
     return std::any_of(parts_.begin(), parts_.end(),
                        [&](const ShipPart& part) { return part.name == name && part.active(); });
   };
-  predicted_->setParts({.froudeKrylov = acts("froude_krylov"),
-                        .diffraction = acts("diffraction"),
-                        .hullLift = acts("hull_lift"),
-                        .supplementary = acts("supplementary"),
-                        .water = acts("restoring") && acts("radiation") && acts("added_mass"),
-                        .restrained = restrained_});
+  const bool pressed = acts("wetted_pressure");
+  predicted_->setParts(
+      {.froudeKrylov = pressed || acts("froude_krylov"),
+       .diffraction = acts("diffraction"),
+       .hullLift = acts("hull_lift"),
+       .supplementary = acts("supplementary"),
+       .water = (pressed || acts("restoring")) && acts("radiation") && acts("added_mass"),
+       .restrained = restrained_});
 }
 
 std::size_t Ship::indexOf(std::string_view name) const {

@@ -9,6 +9,7 @@
 #include "hydro/forces/PredictedMotion.h"
 #include "hydro/forces/SeaTables.h"
 #include "hydro/forces/linear/FreeRadiation.h"
+#include "hydro/forces/nonlinear/WettedHull.h"
 #include "plugin/Rig.h"
 #include "plugin/SettingsCheck.h"
 #include "plugin/Ship.h"
@@ -116,11 +117,26 @@ Vec6 Ship::momentum() const noexcept {
 double Ship::energy() const noexcept {
   const Mat3 body = bodyAxes(), halfStep = 0.5 * lastStep_ * toCourse();
   const Vec6 own = this->velocity(), velocity = rotated(body, body, own);
+  if (nonlinear()) return energyAtTick();
   const Vec6 motion = this->motion() - rotated(halfStep, halfStep, velocity);
   const Mat6& given = coefficients().ship.restoring;
   const Mat6 restoring = free() ? freeRestoring(given) : given;
   return 0.5 * own.dot(coefficients().ship.massMatrix() * own) +
          0.5 * velocity.dot(waterMomentum()) + 0.5 * motion.dot(restoring * motion);
+}
+
+// The velocities before and after the kick of a tick, with the place in between.
+double Ship::energyAtTick() const noexcept {
+  const ShipParticulars& ship = coefficients().ship;
+  const Mat3 toBody = input_.attitude.transpose();
+  const Vec6 own = rotated(toBody, toBody, 0.5 * (velocityAfter_ + velocityBefore_));
+  const Mat3 toOwn = input_.ownAxes.transpose() * input_.attitude;
+  const Vec6 turned = rotated(toOwn, toOwn, own);
+  const double gravity = ship.gravity, rho = ship.density;
+  const double potential = mass() * gravity * (input_.position.z() - ship.cog.z()) -
+                           rho * gravity * wetted_->volume() * wetted_->centre().z();
+  const double added = parts_[addedMassPart_].on ? turned.dot(addedMassNow() * turned) : 0.0;
+  return 0.5 * (own.dot(ship.massMatrix() * own) + added) + potential - pressureHull_->energy();
 }
 
 PointMotion Ship::pointMotion(const Vec3& point) const noexcept {
@@ -133,6 +149,19 @@ PointMotion Ship::pointMotion(const Vec3& point) const noexcept {
   const Vec3 linear = rate.head<3>(), angular = rate.tail<3>();
   return {position() + arm, velocity + spin.cross(arm),
           linear + angular.cross(arm) + spin.cross(spin.cross(arm))};
+}
+
+std::optional<Wetted> Ship::wetted() const noexcept {
+  if (!nonlinear()) return {};
+  return Wetted{wetted_->area(), wetted_->volume(), wetted_->centre(), wetted_->immersion()};
+}
+
+std::vector<std::pair<Vec3, Vec3>> Ship::waterline() const {
+  std::vector<std::pair<Vec3, Vec3>> pieces;
+  if (!nonlinear()) return pieces;
+  for (const auto& [a, b] : wetted_->waterline())
+    pieces.emplace_back(wetted_->inEarth(a), wetted_->inEarth(b));
+  return pieces;
 }
 
 double Ship::offCourse() const noexcept {
@@ -221,6 +250,8 @@ void Ship::save(Snapshot& s) const {
   line_.save(s.line);
   s.predicted.resize(free() ? predicted_->stateSize() : 0);
   if (free()) predicted_->save(s.predicted);
+  s.immersed.resize(nonlinear() ? wetted_->stateSize() : 0);
+  if (nonlinear()) wetted_->save(s.immersed);
   saveParts(s);
 }
 
@@ -257,6 +288,8 @@ void Ship::checkParts(const Snapshot& s) const {
   if (free() != !s.predicted.empty() || (free() && !predicted_->fits(s.predicted))) {
     refuse("the snapshot is of a ship on another kind of course, or in another sea");
   }
+  if (s.immersed.size() != (nonlinear() ? wetted_->stateSize() : 0))
+    refuse("the snapshot is of a ship in another mode");
   const double* from = s.states.data();
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const std::span<const double> state(from, s.sizes[i]);
@@ -293,6 +326,10 @@ void Ship::restore(const Snapshot& s) {
   course_.restore(s.course);
   line_.restore(s.line);
   if (free()) predicted_->restore(s.predicted);
+  if (nonlinear()) {
+    wetted_->restore(s.immersed);
+    added().setAddedMass(frame_.mass(wetted_->mass().now));
+  }
   restoreParts(s);
   body_->setCenterOfMassTransform(s.transform);
   body_->setInterpolationWorldTransform(s.interpolated);

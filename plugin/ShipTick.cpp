@@ -9,6 +9,7 @@
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/forces/OwnAxes.h"
 #include "hydro/forces/SeaTables.h"
+#include "hydro/forces/nonlinear/WettedHull.h"
 #include "plugin/Rig.h"
 #include "plugin/Ship.h"
 #include "plugin/ShipAxes.h"
@@ -113,12 +114,29 @@ Vec6 Ship::sumOfLoads() const noexcept {
 Vec3 Ship::turningOfAddedMass() const noexcept {
   if (!free() || !parts_[addedMassPart_].on) return Vec3::Zero();
   const Vec6& nu = input_.ownVelocityNow;
-  const Mat6& A = coefficients().addedMass.atInfinity;
-  const Vec3 p = 0.5 * ((A + A.transpose()) * nu).head<3>();
+  const Vec3 p = (addedMassNow() * nu).head<3>();
   const Mat3& own = input_.ownAxes;
   const double share = turningLimits().share(nu, input_.attitude(2, 2));
   const Vec3 cross = share * (own * nu.head<3>().cross(p));
   return momentOf(own, Vec3(0.0, -own.col(1).dot(cross), -cross.z()));
+}
+
+Mat6 Ship::addedMassNow() const noexcept {
+  if (nonlinear()) return wetted_->mass().now;
+  const Mat6& A = coefficients().addedMass.atInfinity;
+  return 0.5 * (A + A.transpose());
+}
+
+// What comes into the water is a blow, what leaves it takes its water's momentum along.
+void Ship::immerseAddedMass() const noexcept {
+  if (!nonlinear() || !wetted_->massChanged()) return;
+  const ImmersedMass::Change& change = wetted_->mass();
+  if (wetted_->beginsNow()) {
+    added().setAddedMass(frame_.mass(change.now));
+  } else {
+    added().change(
+        {frame_.mass(change.now), frame_.mass(change.left), frame_.momentum(change.met)});
+  }
 }
 
 // Impulses, not forces: Bullet keeps forces over all ticks of one stepSimulation.
@@ -225,6 +243,7 @@ std::uint32_t Ship::tick(double time, btScalar step) noexcept {
   turnByInertia(length);
   holdLockedYaw(length);
   turnAddedMass(input_.ownAxes);
+  immerseAddedMass();
   AddedMassConstraint& addedMass = added();
   if (!free()) {
     const Vec3 mean = rotationZ(input_.meanHeading) * Vec3(input_.speed, 0.0, 0.0);

@@ -51,6 +51,7 @@ void visitFields(Visitor& v, Snapshot& s) {
   v.field("course", s.course);
   v.field("line", s.line);
   v.field("predicted", s.predicted);
+  v.field("immersed", s.immersed);
   v.field("hydrodynamicsKey", s.hydrodynamicsKey);
   v.field("partsKey", s.partsKey);
   v.field("sizes", s.sizes);

@@ -32,6 +32,13 @@ Mat6 WorldFrame::mass(const Mat6& m) const noexcept {
   return turn * m * turn.transpose() / kilogramsPerUnit;
 }
 
+Vec6 WorldFrame::momentum(const Vec6& p) const noexcept {
+  const double unit = kilogramsPerUnit * metresPerUnit;
+  Vec6 result;
+  result << axes() * p.head<3>() / unit, axes() * p.tail<3>() / (unit * metresPerUnit);
+  return result;
+}
+
 btVector3 WorldFrame::inertia(const Vec3& principal) const noexcept {
   const Vec3 scaled = principal / (kilogramsPerUnit * metresPerUnit * metresPerUnit);
   return toBullet(Vec3((axes() * scaled).cwiseAbs()));

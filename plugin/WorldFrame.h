@@ -69,6 +69,8 @@ struct WorldFrame {
   }
   /// A 6×6 mass [kg, kg·m, kg·m²] in the world's axes and units.
   Mat6 mass(const Mat6& m) const noexcept;
+  /// Momentum and moment of momentum of a ship in its own axes, likewise.
+  Vec6 momentum(const Vec6& p) const noexcept;
   /// Principal moments of inertia [kg·m²] of body axes, likewise.
   btVector3 inertia(const Vec3& principal) const noexcept;
 

@@ -63,6 +63,11 @@ struct TickInput {
                                ///< the tick that ended at t_n
   Vec6 etaDotNow = Vec6::Zero();  ///< the same at t_n
 
+  // How far the linear theory of an upright, immersed hull holds for what it says of waves: 1 with
+  // linear hydrostatics, which know no other hull (Ship.h).
+  double immersion = 1.0;  ///< s, 0 out of the water .. 1 as deep as at rest or deeper
+  double upright = 1.0;    ///< 1 to a tilt of 45 degrees, 0 from 90 degrees on
+
   // The water.
   const SeaState* sea = nullptr;      ///< waves; null: calm water
   double ramp = 1.0;                  ///< growth factor of the waves at t_n, 0..1

@@ -9,6 +9,7 @@
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/excitation/WaveExcitation.h"
 #include "hydro/forces/FreeResponse.h"
+#include "hydro/forces/PressureHull.h"
 #include "hydro/forces/SeaCache.h"
 #include "hydro/memory/RadiationModel.h"
 #include "hydro/memory/Resonances.h"
@@ -58,6 +59,7 @@ Hydrodynamics::Hydrodynamics(std::shared_ptr<const Coefficients> coefficients,
       length_(coefficients_->ship.lengthOverall()),
       keel_(std::min(0.0, boundsOf(coefficients_->ship).low.z())),
       top_(std::max(0.0, boundsOf(coefficients_->ship).high.z())),
+      closedHull_(hasClosedHull(coefficients_->ship)),
       key_(keyOf(*coefficients_, form_)) {}
 
 Hydrodynamics::~Hydrodynamics() = default;

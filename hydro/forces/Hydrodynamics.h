@@ -42,6 +42,9 @@ class Hydrodynamics {
   double keel() const noexcept { return keel_; }      ///< lowest point, hull axes [m]
   double top() const noexcept { return top_; }  ///< highest, 0 of a hull known below water only
 
+  /// Whether the database holds a closed hull, on which pressure can be integrated.
+  bool closedHull() const noexcept { return closedHull_; }
+
   /// Hash of ship, A, B and form: another one for other hydrodynamics, the same in every process.
   std::uint64_t key() const noexcept { return key_; }
 
@@ -67,6 +70,7 @@ class Hydrodynamics {
   std::shared_ptr<const Coefficients> coefficients_;
   ForwardSpeedForm form_;
   double length_, keel_, top_;
+  bool closedHull_;
   std::uint64_t key_;
   mutable std::mutex mutex_;
   mutable std::shared_ptr<const RadiationModel> radiation_;

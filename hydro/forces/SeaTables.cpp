@@ -8,6 +8,7 @@
 #include "hydro/excitation/ExcitationTable.h"
 #include "hydro/excitation/WaveExcitation.h"
 #include "hydro/forces/Hydrodynamics.h"
+#include "hydro/forces/PressureHull.h"
 #include "hydro/forces/SeaCache.h"
 
 namespace cutwater {
@@ -30,6 +31,17 @@ std::shared_ptr<const ExcitationTable> SeaTables::following() const {
         std::make_shared<ExcitationTable>(hydro_->excitation(ForwardSpeedForm::Tuck), *sea_);
   }
   return cache_->following;
+}
+
+std::shared_ptr<const PressureHull> SeaTables::pressureHull(std::size_t most) const {
+  const std::lock_guard lock(mutex_);
+  for (const auto& [count, hull] : hulls_) {
+    if (count == most) return hull;
+  }
+  const Coefficients& c = hydro_->coefficients();
+  hulls_.emplace_back(
+      most, std::make_shared<const PressureHull>(c.ship, c.addedMass.atInfinity, *sea_, most));
+  return hulls_.back().second;
 }
 
 namespace {

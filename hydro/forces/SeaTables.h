@@ -1,5 +1,8 @@
 #pragma once
 #include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
 
 #include "hydro/waves/SeaState.h"
 
@@ -7,6 +10,7 @@ namespace cutwater {
 
 class ExcitationTable;
 class Hydrodynamics;
+class PressureHull;
 struct CourseForces;
 struct SeaCache;
 
@@ -33,11 +37,17 @@ class SeaTables {
   /// Exact loads on a fixed course. The last SeaCache::kCoursesKept are kept, and those in use.
   /// @throws HydroError as WaveExcitation::at, naming the component.
   std::shared_ptr<const CourseForces> exact(double heading, double speed) const;
+  /// The hull that the pressure of this sea is integrated on, of at most so many triangles. Made
+  /// once for each number: milliseconds, or a second for a mesh of 100 000 that is thinned.
+  /// @throws HydroError as PressureHull.
+  std::shared_ptr<const PressureHull> pressureHull(std::size_t most) const;
 
  private:
   std::shared_ptr<const Hydrodynamics> hydro_;
   std::shared_ptr<const SeaState> sea_;
   std::shared_ptr<SeaCache> cache_;
+  mutable std::mutex mutex_;  // of what follows
+  mutable std::vector<std::pair<std::size_t, std::shared_ptr<const PressureHull>>> hulls_;
 };
 
 }  // namespace cutwater

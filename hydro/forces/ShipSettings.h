@@ -16,6 +16,20 @@ enum class Mean {
   Free    ///< the ship's own slow motion: to be driven, turned, pushed and towed
 };
 
+/// What carries a ship, and how its hull meets the waves that it does not change.
+enum class HullPressure {
+  Linear,  ///< restoring by C and Froude-Krylov force, both of the hull at rest, and small motions
+  Nonlinear  ///< pressure on the hull as it lies in the waves, in any attitude (WettedPressure.h)
+};
+inline constexpr std::array kHullPressureNames{"linear", "nonlinear"};
+
+/// Whether a hull that leaves the water takes its added mass and its waves with it.
+enum class Immersion {
+  Scaled,   ///< no: they go with the share of the hull that is in the water (PressureHull.h)
+  Constant  ///< yes, as codes do that the theory is compared with
+};
+inline constexpr std::array kImmersionNames{"scaled", "constant"};
+
 /// How the memory of radiated waves is computed.
 enum class MemoryModel {
   Exponential,  ///< a sum of damped oscillations; the default
@@ -57,6 +71,10 @@ struct CourseKeeper {
 /// Which theory acts on a ship, and what is added to it.
 struct ShipModel {
   Mean mean = Mean::Free;
+  /// Absent: nonlinear, of a free ship whose database holds a closed hull; else linear.
+  std::optional<HullPressure> mode{};
+  Immersion immersion = Immersion::Scaled;  ///< nonlinear mode only
+  int hullTriangles = 2000;                 ///< nonlinear mode only: at most, 100 .. 1000000
   MemoryModel memory = MemoryModel::Exponential;
   bool hullLift = true;    ///< HullLift.h, Mean::Free only
   bool resistance = true;  ///< calm-water drag (Resistance.h), Mean::Free only

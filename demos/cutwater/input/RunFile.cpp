@@ -137,14 +137,26 @@ void readMean(TomlSection& motion, ShipModel& model) {
   model.mean = mean == "free" ? Mean::Free : Mean::Fixed;
 }
 
+void readHullPressure(TomlSection& motion, ShipModel& model) {
+  if (motion.has("mode"))
+    model.mode = motion.text("mode", "linear", {"linear", "nonlinear"}) == "linear"
+                     ? HullPressure::Linear
+                     : HullPressure::Nonlinear;
+  for (const char* key : {"immersion", "hull_triangles"}) {
+    if (motion.has(key) && model.mode == HullPressure::Linear)
+      motion.refuse(key, "is for mode = \"nonlinear\"; leave it out");
+  }
+  const bool scaled = motion.text("immersion", "scaled", {"scaled", "constant"}) == "scaled";
+  model.immersion = scaled ? Immersion::Scaled : Immersion::Constant;
+  model.hullTriangles = motion.integer("hull_triangles", model.hullTriangles, 100, 1000000);
+}
+
 void readMotion(TomlSection motion, RunFile& run) {
   run.start.speed = motion.number("speed", 0.0, -100.0, 100.0);
   run.heading = radians(motion.number("heading_deg", 180.0, -kTurn, kTurn), 360.0);
-  if (motion.text("mode", "linear", {"linear", "nonlinear"}) != "linear") {
-    motion.refuse("mode", "only \"linear\" is possible in this version");
-  }
   ShipModel& model = run.model;
   readMean(motion, model);
+  readHullPressure(motion, model);
   model.hullLift = motion.boolean("hull_lift", model.hullLift);
   model.resistance = motion.boolean("resistance", model.resistance);
   const bool keepSpeed = motion.boolean("keep_speed", false);
@@ -171,7 +183,10 @@ RunFile readRunFile(const std::string& path, Mean usual) {
   TomlFile file(path);
   RunFile run;
   run.model.mean = usual;
-  run.model.resistance = usual == Mean::Free;  // a sweep is compared with what knows of no drag
+  if (usual == Mean::Fixed) {  // a sweep is compared with what knows of neither
+    run.model.resistance = false;
+    run.model.mode = HullPressure::Linear;
+  }
   run.path = path;
   TomlSection& root = file.root();
   if (!root.has("database")) root.refuse("database", "is missing; make one with `cutwater solve`");

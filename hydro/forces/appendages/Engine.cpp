@@ -41,7 +41,7 @@ Wrench Engine::evaluate(const TickInput& now) noexcept {
     share_ = order + left * (share_ - order);
   }
   running_ = true;
-  const double push = thrust(share_, now.speed);
+  const double push = now.immersion * thrust(share_, now.speed);
   helm_->jet = std::max(0.0, push) * jetOfThrust_;
   Vec6 force = Vec6::Zero();
   force[Surge] = push;

@@ -71,7 +71,7 @@ Wrench Rudder::evaluate(const TickInput& now) noexcept {
   const Lift c = coefficients(angle_ + std::atan2(straightened, u));
   const double speed = std::hypot(u, v);
   const double stops = now.step * lightness_ * pressure_ * speed * std::hypot(c.lift, c.drag);
-  const double scale = pressure_ * speed / std::max(1.0, stops);
+  const double scale = now.immersion * pressure_ * speed / std::max(1.0, stops);
   const double ahead = scale * (c.lift * v - c.drag * u);
   const double side = -scale * (c.lift * u + c.drag * v);
   Vec6 force = Vec6::Zero();

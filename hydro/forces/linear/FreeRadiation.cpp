@@ -45,7 +45,7 @@ void FreeRadiation::prepare(double step) {
 // A ship that is put somewhere has always had its way; one whose way is set had that way always,
 // and keeps the waves it has made.
 void FreeRadiation::begin(const TickInput& now) noexcept {
-  const Vec6 velocity = velocityOf(steadyOf(now) - steady_);
+  const Vec6 velocity = velocityOf(now.immersion * steadyOf(now) - steady_);
   if (velocity.allFinite()) memory_->addSteady(velocity);
 }
 
@@ -78,7 +78,8 @@ Wrench FreeRadiation::evaluate(const TickInput& now) noexcept {
   const bool first = !begun_ || now.courseBegins;
   if (first) begin(now);
   const Mat3& own = now.ownAxes;
-  const Vec6 after = memory_->momentum(now.ownVelocity, now.step);
+  const double s = now.immersion;
+  const Vec6 after = memory_->momentum(s * now.ownVelocity, now.step);
   const double share = limits_.share(now.ownVelocityNow, now.attitude(2, 2));
   const Vec6 before =
       first ? after
@@ -94,10 +95,11 @@ Wrench FreeRadiation::evaluate(const TickInput& now) noexcept {
   moment[2] -= cross.z() - meanYaw(now);
 
   momentum_ = after;
-  steady_ = steadyOf(now);
+  steady_ = s * steadyOf(now);
   begun_ = true;
   Wrench wrench{.axes = Axes::Earth};
   wrench.load << own * rate.head<3>(), momentOf(own, moment);
+  wrench.load *= s;
   return wrench;
 }
 

@@ -20,6 +20,8 @@ class RadiationModel;
 /// terms of q; those of A^∞ν, one of them by the engine's solver, are the part added_mass. The mean
 /// yaw moment of V × R p_F in waves, of second order, is taken off as the ship's predicted motion
 /// has it, and so is the steady trim of its way.               THEORY.md, The free ship
+/// A hull that is immersed by a share s drives the memory by sν and feels s times its force: in both
+/// places, so that the waves it has radiated never push it more than it has pushed them.
 ///
 /// Loads are differences of momenta half a tick apart from t_n: over any run they add up to what is
 /// left in the water, exactly.
@@ -63,7 +65,7 @@ class FreeRadiation final : public ForceGenerator {
   MemoryModel memoryModel_;
   TurningLimits limits_;
   Vec6 momentum_ = Vec6::Zero();  // q
-  Vec3 steady_ = Vec3::Zero();    // slow u, v, r of the last tick
+  Vec3 steady_ = Vec3::Zero();    // s times slow u, v, r of the last tick
   bool begun_ = false;            // has a past
 };
 

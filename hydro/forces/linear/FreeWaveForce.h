@@ -16,9 +16,10 @@ class FreeWaveForce final : public ForceGenerator {
   std::string_view name() const noexcept override {
     return kWaveLoadNames[static_cast<int>(load_)];
   }
-  Wrench evaluate(const TickInput& /*now*/) noexcept override {
+  Wrench evaluate(const TickInput& now) noexcept override {
     const PredictedMotion::Sums& sums = predicted_->now();
-    return {load_ == WaveLoad::FroudeKrylov ? sums.froudeKrylov : sums.diffraction};
+    if (load_ == WaveLoad::FroudeKrylov) return {sums.froudeKrylov};
+    return {now.immersion * now.upright * sums.diffraction};
   }
 
  private:

@@ -12,7 +12,7 @@ Wrench HullLift::evaluate(const TickInput& now) noexcept {
   Vec6 force = Vec6::Zero();
   force[Sway] = -lift.side * way * (now.ownVelocityNow[Sway] - wave.orbitalAcross);
   force[Yaw] = -lift.turn * way * (now.ownVelocityNow[Yaw] - wave.orbitalTurn);
-  return {force};
+  return {now.immersion * now.upright * force};
 }
 
 }  // namespace cutwater

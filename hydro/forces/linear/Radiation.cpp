@@ -24,10 +24,10 @@ Wrench Radiation::evaluate(const TickInput& now) noexcept {
   if (!memory_) return {};
   memory_->setStep(now.lastStep);  // the convolution has been prepared for it
   const RetardationMatrix& K = model_->retardation();
-  const double U = now.speed;
-  const Vec6 memory = memory_->advance(now.etaDot, U);
+  const double U = now.speed, s = now.immersion;
+  const Vec6 memory = s * memory_->advance(s * now.etaDot, U);
   if (U == 0.0) return {memory};
-  return {memory - U * (K.speedDamping() * now.etaDotNow + U * (K.speedStiffness() * now.eta))};
+  return {memory - s * U * (K.speedDamping() * now.etaDotNow + U * (K.speedStiffness() * now.eta))};
 }
 
 void Radiation::reset() noexcept {

@@ -9,7 +9,8 @@ namespace cutwater {
 /// stiffness of a helmsman.
 ///     F_j = −b_j η̇_j − s_j η_j,   roll also −q |η̇₄| η̇₄                        [M03] section 9
 /// Velocities are those at t_n, so that the term is second order in the tick. Damping sees the
-/// motion about frame H, whose steady way it does not slow. A free ship has no stiffness of surge,
+/// motion about frame H, whose steady way it does not slow. That of roll is the water's on the hull:
+/// it fades as the hull leaves the water or lies on its side. A free ship has no stiffness of surge,
 /// sway and yaw: nothing in the sea holds its place. A CourseKeeper holds its heading.
 class SupplementaryForce final : public ForceGenerator {
  public:
@@ -19,11 +20,11 @@ class SupplementaryForce final : public ForceGenerator {
   }
   std::string_view name() const noexcept override { return "supplementary"; }
   Wrench evaluate(const TickInput& now) noexcept override {
-    Vec6 force = Vec6::Zero() - terms_.damping.cwiseProduct(now.etaDotNow) -
-                 terms_.stiffness.cwiseProduct(now.eta);
+    Vec6 force = -terms_.damping.cwiseProduct(now.etaDotNow);
     const double roll = now.etaDotNow[Roll];
     force[Roll] -= terms_.rollDampingQuadratic * (roll < 0.0 ? -roll : roll) * roll;
-    return {force};
+    force[Roll] *= now.immersion * now.upright;
+    return {force - terms_.stiffness.cwiseProduct(now.eta)};
   }
 
  private:

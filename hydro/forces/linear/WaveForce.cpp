@@ -71,7 +71,8 @@ Wrench WaveForce::evaluate(const TickInput& now) noexcept {
   const std::size_t count = std::min(blocks_.size(), now.phasors.size());
   const auto sums = sumOf({blocks_.data(), count}, now.phasors.first(count));
   Wrench wrench;
-  for (int j = 0; j < 6; ++j) wrench.load[j] = now.ramp * sums[static_cast<std::size_t>(j)];
+  const double share = load_ == WaveLoad::Diffraction ? now.immersion * now.upright : 1.0;
+  for (int j = 0; j < 6; ++j) wrench.load[j] = share * now.ramp * sums[static_cast<std::size_t>(j)];
   return wrench;
 }
 

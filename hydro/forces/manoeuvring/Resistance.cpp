@@ -88,7 +88,7 @@ Wrench Resistance::evaluate(const TickInput& now) noexcept {
   force[Surge] = std::clamp(alongHull(now.speed), -most, most);
   force[Sway] = -across * side;
   force[Yaw] = -across * turn;
-  return {force};
+  return {now.immersion * force};
 }
 
 }  // namespace cutwater

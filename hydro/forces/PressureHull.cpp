@@ -1,0 +1,141 @@
+#include "hydro/forces/PressureHull.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hydro/Errors.h"
+#include "hydro/geometry/wetted/PressureMesh.h"
+
+namespace cutwater {
+
+namespace {
+
+constexpr double kSameVertex = 1e-9;  // of the hull's size
+constexpr double kWholeBeam = 0.9;    // of the beam at rest, from which on a strip is immersed
+constexpr double kGoodError = 1e-3;   // of the waves' pressure
+constexpr double kWeightOff = 1e-3;   // of the weight, from which on it is said
+constexpr double kNoBeam = 1e-9;      // of the whole plan
+
+std::vector<double> stationsOf(const Bounds& hull) {
+  std::vector<double> stations;
+  const double from = hull.low.x(), length = hull.high.x() - from;
+  for (std::size_t i = 0; i <= PressureHull::kStrips; ++i)
+    stations.push_back(from + length * static_cast<double>(i) / PressureHull::kStrips);
+  return stations;
+}
+
+// k with which (kh)²/12 is the error of the sea's pressure, r.m.s.: Σa²k⁴ / Σa², to the fourth
+// root. 0 in calm water.
+double waveNumberOf(const SeaState& sea) {
+  double square = 0.0, all = 0.0;
+  for (std::size_t i = 0; i < sea.components().size(); ++i) {
+    const double a = sea.components()[i].amplitude, k = sea.waveNumber(i);
+    square += a * a * k * k * k * k;
+    all += a * a;
+  }
+  return all > 0.0 ? std::pow(square / all, 0.25) : 0.0;
+}
+
+WettedTriangles::State inStillWater(const WettedTriangles& hull, double height, double gradient) {
+  WettedTriangles::State state(hull);
+  for (std::size_t i = 0; i < hull.points().size(); ++i) {
+    state.depth[i] = -(hull.points().z[i] + height);
+    state.pressure[i] = gradient * state.depth[i];
+  }
+  hull.cut(Vec3::UnitZ(), state);
+  return state;
+}
+
+std::vector<double> armsOf(const std::vector<double>& stations, double from) {
+  std::vector<double> arms;
+  for (std::size_t i = 0; i + 1 < stations.size(); ++i)
+    arms.push_back(0.5 * (stations[i] + stations[i + 1]) - from);
+  return arms;
+}
+
+SurfaceMesh shared(const SurfaceMesh& hull) {
+  return welded(hull, kSameVertex * bounds(hull).diagonal());
+}
+
+// A section's added mass goes with the square of its beam.
+std::vector<double> weightsOf(const std::vector<double>& beam) {
+  std::vector<double> weights;
+  for (const double b : beam) weights.push_back(b * b);
+  return weights;
+}
+
+}  // namespace
+
+bool hasClosedHull(const ShipParticulars& ship) {
+  if (ship.hull.faces.empty()) return false;
+  try {
+    return WettedTriangles(shared(ship.hull), ship.cog).volume() > 0.0;
+  } catch (const HydroError&) {
+    return false;
+  }
+}
+
+struct PressureHull::Made {
+  SurfaceMesh mesh;
+  std::vector<double> stations;
+  double distance = 0.0, error = 0.0;
+};
+
+PressureHull::Made PressureHull::make(const ShipParticulars& ship, const SeaState& sea,
+                                      std::size_t most) {
+  if (ship.hull.faces.empty())
+    throw HydroError(Fault::DatabaseIncomplete,
+                     "mode = \"nonlinear\": the database holds no hull, only panels; solve the "
+                     "ship from its mesh, or take mode = \"linear\"");
+  if (most < kFewestTriangles)
+    throw HydroError(Fault::ValueOutOfRange,
+                     fmt::format("hull_triangles = {}: at least {}", most, kFewestTriangles));
+  Made made;
+  const Bounds size = bounds(ship.hull);
+  made.stations = stationsOf(size);
+  made.mesh = splitAt(evenTriangles(shared(ship.hull)), made.stations);
+  const double k = waveNumberOf(sea);
+  if (k > 0.0) {
+    RefinedMesh fine = refined(made.mesh, edgeFor(kGoodError, k), most);
+    made.mesh = std::move(fine.mesh);
+    made.error = linearPressureError(fine.longestEdge, k);
+  }
+  return made;
+}
+
+PressureHull::PressureHull(const ShipParticulars& ship, const Mat6& addedMass, const SeaState& sea,
+                           std::size_t most)
+    : PressureHull(ship, addedMass, sea, make(ship, sea, most)) {}
+
+PressureHull::PressureHull(const ShipParticulars& ship, const Mat6& addedMass,
+                           const SeaState& /*sea*/, Made made)
+    : triangles_(made.mesh, ship.cog, made.stations),
+      arms_(armsOf(made.stations, ship.cog.x())),
+      restBeam_(inStillWater(triangles_, ship.cog.z(), 0.0).beamArea),
+      mass_(addedMass, weightsOf(restBeam_), arms_),
+      distance_(made.distance),
+      pressureError_(made.error) {
+  const WettedTriangles::State atRest = inStillWater(triangles_, ship.cog.z(), 0.0);
+  volume_ = atRest.volume;
+  energy_ = -ship.density * ship.gravity * volume_ * (atRest.centre.z() + ship.cog.z());
+  const double floats = ship.density * volume_;
+  if (std::abs(floats - ship.mass) > kWeightOff * ship.mass)
+    warning_ = fmt::format(
+        "the hull displaces {:.6g} kg as the ship lies in its file, and the ship weighs {:.6g} kg: "
+        "in mode = \"nonlinear\" it will float {} than there",
+        floats, ship.mass, floats > ship.mass ? "higher" : "deeper");
+}
+
+void PressureHull::shares(const WettedTriangles::State& state,
+                          std::span<double> shares) const noexcept {
+  for (std::size_t i = 0; i < restBeam_.size(); ++i) {
+    const double whole = kWholeBeam * restBeam_[i];
+    const double ratio = whole > 0.0 ? state.beamArea[i] / whole : 1.0;
+    shares[i] = std::min(1.0, ratio * ratio);
+  }
+}
+
+}  // namespace cutwater

@@ -1,0 +1,83 @@
+#pragma once
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "hydro/forces/PressureHull.h"
+#include "hydro/forces/SeaTables.h"
+#include "hydro/waves/WaterPressure.h"
+
+namespace cutwater {
+
+/// The hull of one ship in its sea as a tick finds it: which part of it is wet, what the water
+/// presses on it, and how far it is immersed. The pressure is that of the undisturbed waves,
+///     p = −ρ(∂Φ_I/∂t + g z) = ρg (H − z),   0 above ζ                       [M03] (109), (110)
+/// H the dynamic head of the sea's profile (WaterPressure.h), taken at each vertex of the hull.
+/// One ship's; one thread. Allocates in its constructor only.
+class WettedHull {
+ public:
+  /// @param scaled  false: the hull counts as wholly immersed always (Immersion::Constant).
+  WettedHull(std::shared_ptr<const PressureHull> hull, std::shared_ptr<const SeaTables> tables,
+             double density, double gravity, bool scaled);
+
+  /// The hull at t [s]: G in E [m], R_EB. Once a tick.
+  /// @param slow  G and heading at which the waves meet the hull: of a free ship its slow ones. The
+  ///        hull is there as it is, but moved to that place and turned to that heading.
+  struct Place {
+    Vec3 position = Vec3::Zero();
+    Mat3 attitude = Mat3::Identity();
+  };
+  void look(double time, const Place& actual, const Place& slow) noexcept;
+  /// The next look() has no past: nothing comes in or goes out with it.
+  void forget() noexcept { begun_ = false; }
+
+  const PressureHull& hull() const noexcept { return *hull_; }
+  /// −∫p n dS in E [N], and its moment about G in E [N·m].
+  const Vec6& load() const noexcept { return load_; }
+  double area() const noexcept { return state_.area; }      ///< wetted [m²]
+  double volume() const noexcept { return state_.volume; }  ///< submerged [m³]
+  /// Of that volume, in E [m].
+  Vec3 centre() const noexcept { return inEarth(state_.centre); }
+  /// Pieces of the waterline, from G in hull axes [m].
+  const std::vector<std::pair<Vec3, Vec3>>& waterline() const noexcept { return state_.waterline; }
+
+  /// s̄, 0 out of the water .. 1.
+  double immersion() const noexcept { return mean_; }
+  std::span<const double> shares() const noexcept { return shares_; }
+  /// Added mass now, in axes along heading and pitch, and what has come and gone since the last
+  /// look().  @param up  the vertical in those axes.
+  const ImmersedMass::Change& mass() const noexcept { return change_; }
+  /// Some share has changed since the last look().
+  bool massChanged() const noexcept { return massChanged_; }
+  /// The last look() was the first, or the first after forget().
+  bool beginsNow() const noexcept { return begins_; }
+  /// A point that is given from G in hull axes [m], in E.
+  Vec3 inEarth(const Vec3& point) const noexcept {
+    return actual_.position + actual_.attitude * point;
+  }
+
+  /// Exact state: the shares.
+  std::size_t stateSize() const noexcept { return shares_.size() + 1; }
+  void save(std::span<double> state) const noexcept;
+  void restore(std::span<const double> state) noexcept;
+
+ private:
+  void findWater(double time) noexcept;
+  void findImmersion(double time) noexcept;
+
+  std::shared_ptr<const PressureHull> hull_;
+  std::shared_ptr<const SeaTables> tables_;  // keeps the sea
+  WaterPressure water_;
+  double density_, gravity_;
+  bool scaled_, calm_;
+  WettedTriangles::State state_;
+  std::vector<double> x_, y_, z_, elevation_, head_, surfaceHead_;
+  Place actual_, met_;
+  Vec6 load_ = Vec6::Zero();
+  std::vector<double> shares_, before_, rise_;
+  ImmersedMass::Change change_;
+  double mean_ = 1.0;
+  bool begun_ = false, begins_ = true, massChanged_ = true;
+};
+
+}  // namespace cutwater
