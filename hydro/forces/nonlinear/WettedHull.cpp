@@ -21,6 +21,8 @@ WettedHull::WettedHull(std::shared_ptr<const PressureHull> hull,
   for (auto* column : {&x_, &y_, &z_, &elevation_, &head_, &surfaceHead_})
     column->resize(hull_->triangles().points().size(), 0.0);
   change_.now = hull_->mass().at(shares_);
+  near_ = hull_->triangles().longestEdge();
+  for (const WaveComponent& wave : tables_->sea().components()) near_ += wave.amplitude;
 }
 
 void WettedHull::findWater(double time) noexcept {
@@ -34,8 +36,8 @@ void WettedHull::findWater(double time) noexcept {
     z_[i] = R(2, 0) * x + R(2, 1) * y + R(2, 2) * z + met_.position.z();
   }
   if (!calm_)
-    water_.at(time, met_.position.x(), met_.position.y(), {x_, y_, z_},
-              hull_->triangles().longestEdge(), {elevation_, head_, surfaceHead_});
+    water_.at(time, met_.position.x(), met_.position.y(), {x_, y_, z_}, near_,
+              {elevation_, head_, surfaceHead_});
   const double gradient = density_ * gravity_;
   for (std::size_t i = 0; i < count; ++i) {
     state_.depth[i] = elevation_[i] - z_[i];

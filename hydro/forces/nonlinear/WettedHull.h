@@ -70,6 +70,7 @@ class WettedHull {
   WaterPressure water_;
   double density_, gravity_;
   bool scaled_, calm_;
+  double near_ = 0.0;  // depth of the deepest vertex of which an edge may be cut [m]
   WettedTriangles::State state_;
   std::vector<double> x_, y_, z_, elevation_, head_, surfaceHead_;
   Place actual_, met_;
