@@ -9,7 +9,7 @@
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/forces/OwnAxes.h"
 #include "hydro/forces/SeaTables.h"
-#include "hydro/forces/nonlinear/WettedHull.h"
+#include "hydro/forces/WettedHull.h"
 #include "plugin/Rig.h"
 #include "plugin/Ship.h"
 #include "plugin/ShipAxes.h"

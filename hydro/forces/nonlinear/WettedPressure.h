@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "hydro/forces/ForceGenerator.h"
-#include "hydro/forces/nonlinear/WettedHull.h"
+#include "hydro/forces/WettedHull.h"
 
 namespace cutwater {
 

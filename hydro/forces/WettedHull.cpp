@@ -1,4 +1,4 @@
-#include "hydro/forces/nonlinear/WettedHull.h"
+#include "hydro/forces/WettedHull.h"
 
 #include <algorithm>
 
