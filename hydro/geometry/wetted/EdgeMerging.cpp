@@ -72,8 +72,8 @@ struct EdgeMerging::Misfit {
   double cost(const Vec3& u) const { return std::max(0.0, u.dot(H * u) - 2 * c.dot(u) + e); }
 
   /// The least cost under g·u = d, by Lagrange's multiplier; none where that is ill-posed. What the
-  /// cost leaves free stays where it was: in the middle. The second time nothing else is drawn there
-  /// by more than the square of kToMiddle.
+  /// cost leaves free stays in the middle. After the second time all else is drawn there by the
+  /// square of kToMiddle only.
   std::optional<Vec3> best() const {
     if (areas == 0.0) return Vec3::Zero();
     if (g.norm() < kLeastOpening * areas) return {};
