@@ -22,7 +22,7 @@ void requireClosed(const SurfaceMesh& hull) {
   const Vec3& at = hull.vertices[static_cast<std::size_t>(open.front().from)];
   throw HydroError(Fault::HullNotClosed, "wetted hull: it is not closed; " +
                                              std::to_string(open.size()) + " open edges, one at " +
-                                             placeText(at));
+                                             placeText(at) + "; give it a deck");
 }
 
 std::size_t stripOf(double x, const std::vector<double>& stations) {
