@@ -13,6 +13,7 @@
 #include "demos/cutwater/output/OutputFile.h"
 #include "hydro/Errors.h"
 #include "hydro/geometry/panelling/Panelling.h"
+#include "hydro/ship/Righting.h"
 
 namespace {
 
@@ -24,6 +25,8 @@ struct Arguments {
   command::LoadingOptions loading;
   double step = 0.05, duration = 30.0;
   MeshReadOptions mesh;
+  std::string heel, trim = "free";
+  command::PoseOptions poses;
   int threads = 0, panels = 0;
   bool forces = false, free = false;
 };
@@ -118,6 +121,45 @@ void addGeometryAndSolver(CLI::App& app, Arguments& a) {
   sub->callback([&a] {
     checkFiles(a);
     command::solve(a.input, a.out, a.threads);
+  });
+}
+
+void addStillWater(CLI::App& app, Arguments& a) {
+  CLI::App* sub = command(
+      app, "righting",
+      "Righting levers of the closed hull at constant mass; heel is positive to starboard.\n"
+      "gz > 0 rights a ship heeled to starboard; height is that of the hull file's origin above\n"
+      "calm water; trim is positive bow down. Of several equilibria in trim, the one that a ship\n"
+      "heeled slowly from upright comes to. On stderr: greatest gz, where it vanishes, loll",
+      "righting meshes/frigate/ship.toml --heel 0:180:37");
+  sub->add_option("ship", a.input, "SHIP.toml")->required();
+  sub->add_option("--heel", a.heel, "heels A:B:N [deg]: N values with both ends")->required();
+  sub->add_option("--trim", a.trim, "free (default), or fixed at 0")
+      ->check(CLI::IsMember(
+          std::vector<std::string>(kRightingTrimNames.begin(), kRightingTrimNames.end())));
+  output(sub, a);
+  sub->callback([&a] {
+    checkFiles(a);
+    command::righting(a.input, a.heel, a.trim, a.out);
+  });
+
+  sub = command(
+      app, "buoyancy",
+      "Pressure of calm water on the closed hull held in a pose, weight not included, beside its\n"
+      "linearisation about the pose of the hull file. Force [N] in level axes: forward, port, up;\n"
+      "moment about the centre of gravity [N m] by its parts about the ship's own x, the level y\n"
+      "and the vertical. Heave is positive up, roll starboard down, pitch bow down",
+      "buoyancy meshes/frigate/ship.toml --heave -8:6:29");
+  sub->add_option("ship", a.input, "SHIP.toml")->required();
+  CLI::Option_group* poses = sub->add_option_group("pose", "one of these");
+  poses->add_option("--heave", a.poses.heave, "A:B:N [m]: N values with both ends");
+  poses->add_option("--roll", a.poses.roll, "A:B:N [deg], about the centre of gravity");
+  poses->add_option("--pitch", a.poses.pitch, "A:B:N [deg], about the centre of gravity");
+  poses->require_option(1);
+  output(sub, a);
+  sub->callback([&a] {
+    checkFiles(a);
+    command::buoyancy(a.input, a.poses, a.out);
   });
 }
 
@@ -254,6 +296,7 @@ int main(int argc, char** argv) {
   Arguments arguments;
   addGeometryAndSolver(app, arguments);
   addPanel(app, arguments);
+  addStillWater(app, arguments);
   addTables(app, arguments);
   addRuns(app, arguments);
   try {

@@ -20,6 +20,14 @@ class UsageError : public HydroError {
 };
 
 void hydrostatics(const std::string& ship, const std::string& out);
+/// Levers at the heels A:B:N [deg]; `trim` is one of kRightingTrimNames.
+void righting(const std::string& ship, const std::string& heels, const std::string& trim,
+              const std::string& out);
+/// One of the three is given: A:B:N [m, deg, deg].
+struct PoseOptions {
+  std::string heave, roll, pitch;
+};
+void buoyancy(const std::string& ship, const PoseOptions& poses, const std::string& out);
 /// Panels for `hull`, a mesh (read with `options`) or a SHIP.toml, written as OBJ in hull axes.
 void panel(const std::string& hull, int count, const MeshReadOptions& options,
            const std::string& out);
@@ -56,6 +64,10 @@ void sweep(const std::string& run, int threads, const std::string& out);
 /// "A:B:N", N values with both ends; empty: `fallback`.
 /// @throws UsageError.
 std::vector<double> omegaList(const std::string& range, const std::vector<double>& fallback);
+/// "A:B:N" of an option, within ±`largest`. @param example  of it, for the message.
+/// @throws UsageError.
+std::vector<double> rangeOption(const std::string& option, const std::string& text, double largest,
+                                const std::string& example);
 /// The wave frequencies at which tables are written by default.
 const std::vector<double>& defaultWaveOmega(const Coefficients& coefficients);
 /// The database; prints the warning of a foreign file.

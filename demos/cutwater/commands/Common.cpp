@@ -25,12 +25,30 @@ std::optional<double> number(const std::string& text, std::size_t from, std::siz
   return value;
 }
 
-double part(const std::string& range, std::size_t from, std::size_t to) {
-  const auto value = number(range, from, to);
-  if (!value) {
-    throw UsageError("--omega " + shortened(range) + ": must be A:B:N, for instance 0.2:2:37");
+/// "A:B:N" of an option.
+struct Range {
+  double from, to, count;
+  /// N values with both ends, if N is a whole number and A <= B.
+  std::optional<std::vector<double>> values() const {
+    if (to < from || count < 1.0 || count > 100000.0 || count != std::floor(count)) return {};
+    std::vector<double> list;
+    const int n = static_cast<int>(count);
+    for (int i = 0; i < n; ++i) list.push_back(n == 1 ? from : from + (to - from) * i / (n - 1));
+    return list;
   }
-  return *value;
+};
+
+Range rangeOf(const std::string& option, const std::string& text, const std::string& example) {
+  const auto part = [&](std::size_t from, std::size_t to) {
+    const auto value = number(text, from, to);
+    if (!value)
+      throw UsageError(option + " " + shortened(text) + ": must be A:B:N, for instance " + example);
+    return *value;
+  };
+  const std::size_t first = text.find(':');
+  const std::size_t second = first == std::string::npos ? first : text.find(':', first + 1);
+  if (second == std::string::npos) part(0, 0);
+  return {part(0, first), part(first + 1, second), part(second + 1, text.size())};
 }
 
 // The report's form needs x-derivatives, and holds ahead only.
@@ -59,19 +77,22 @@ ForwardSpeedForm SpeedOptions::form(const CoefficientTables& coefficients) const
 
 std::vector<double> omegaList(const std::string& range, const std::vector<double>& fallback) {
   if (range.empty()) return fallback;
-  const std::size_t first = range.find(':');
-  const std::size_t second = first == std::string::npos ? first : range.find(':', first + 1);
-  if (second == std::string::npos) part(range, 0, 0);
-  const double from = part(range, 0, first), to = part(range, first + 1, second);
-  const double count = part(range, second + 1, range.size());
-  if (!(from > 0.0) || to < from || count < 1.0 || count > 100000.0 || count != std::floor(count)) {
+  const Range omega = rangeOf("--omega", range, "0.2:2:37");
+  const auto values = omega.values();
+  if (!values || !(omega.from > 0.0))
     throw UsageError("--omega " + shortened(range) +
                      ": needs 0 < A <= B and a whole number N of values");
-  }
-  std::vector<double> values;
-  const int n = static_cast<int>(count);
-  for (int i = 0; i < n; ++i) values.push_back(n == 1 ? from : from + (to - from) * i / (n - 1));
-  return values;
+  return *values;
+}
+
+std::vector<double> rangeOption(const std::string& option, const std::string& text, double largest,
+                                const std::string& example) {
+  const Range range = rangeOf(option, text, example);
+  const auto values = range.values();
+  if (!values || range.from < -largest || range.to > largest)
+    throw UsageError(fmt::format("{} {}: needs {} <= A <= B <= {} and a whole number N of values",
+                                 option, shortened(text), -largest, largest));
+  return *values;
 }
 
 const std::vector<double>& defaultWaveOmega(const Coefficients& coefficients) {
