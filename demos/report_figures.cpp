@@ -1,9 +1,10 @@
-// The tables and figures of the report's frequency domain ([M03] sections 4 to 7) for our frigate:
+// The report's frequency domain and still water ([M03] sections 4 to 7, 10) for our frigate:
 // report_figures OUT_DIR [--panels N] [--every K]
 // Look for: the meshes' damping on one line and their U dA/dx close (figures 15-20); one source
 // point spoils U dA33 at high frequency (6); condition numbers peak where A and B do, with lid
 // nowhere (7-12); interpolated inverses leave the direct curves where omega_e is 2 to 3 rad/s (22,
-// differences.csv).
+// differences.csv); buoyancy leaves its tangent as the deck goes under or the keel comes out (34 to
+// 36).
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -12,7 +13,8 @@
 
 int main(int argc, char** argv) try {
   using namespace cutwater::report;
-  CLI::App app("Tables 2-4 and figures 6-12, 15-30 of DRDC Atlantic TM 2003-104, as CSV files");
+  CLI::App app(
+      "Tables 2-4 and figures 6-12, 15-30, 34-36 of DRDC Atlantic TM 2003-104, as CSV files");
   Job job;
   std::string ship = CUTWATER_MESHES "/frigate/ship.toml";
   int panels = 0;
@@ -39,6 +41,8 @@ int main(int argc, char** argv) try {
   writeFigures21To24(job, medium);
   say("figures 25 to 30");
   writeFigures25To30(job, medium);
+  say("figures 34 to 36");
+  writeFigures34To36(job);
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "report_figures: %s\n", error.what());

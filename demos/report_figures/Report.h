@@ -81,5 +81,8 @@ void writeFigures21To24(const Job& job, const Sweeps& medium);
 /// Retardation functions K⁰_jj, U K^U_jj, U² K^UU_jj over 20 s, report's form, in units of Δ r_jj²
 /// g/L.
 void writeFigures25To30(const Job& job, const Sweeps& medium);
+/// Still water on the medium mesh held in heave (F₃/Δg − 1), roll and pitch (arms F/Δg [m]), beside
+/// its linearisation.
+void writeFigures34To36(const Job& job);
 
 }  // namespace cutwater::report

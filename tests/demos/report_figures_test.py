@@ -1,13 +1,13 @@
 """report_figures_test.py PROGRAM BOUNDS.csv TABLE2.csv: the report's figures, as far as axes tell.
 
-The figures are those of the frequency domain and of the retardation functions. Of the report's
-plots only the axes are known. A curve stays inside its axis and reaches into the last tick, else
-the axis would be shorter. Slack is 20 % of the axis: our hull has the report's main particulars,
-not its lines. Some figures name a sign. What does not hold is listed below with its reason, and an
-entry that holds after all fails the test as well. Curves are checked up to the highest frequency
-that the panels resolve. Default: 224 panels, every 7th frequency, no lower ends (peaks fall
-between frequencies), and the report's figures for 433 panels from these. With CUTWATER_FULL: all
-meshes and frequencies.
+The figures are those of the frequency domain, of the retardation functions and of still water. Of
+the report's plots only the axes are known, of still water also what section 10 says. A curve stays
+inside its axis and reaches into the last tick, else the axis would be shorter. Slack is 20 % of the
+axis: our hull has the report's main particulars, not its lines. Some figures name a sign. What does
+not hold is listed below with its reason, and an entry that holds after all fails the test as well.
+Curves are checked up to the highest frequency that the panels resolve. Default: 224 panels, every
+7th frequency, no lower ends (peaks fall between frequencies), and the report's figures for 433
+panels from these. With CUTWATER_FULL: all meshes and frequencies.
 """
 import csv
 import os
@@ -54,7 +54,8 @@ def bounds(path):
     with open(path, encoding="utf-8") as file:
         for row in csv.DictReader(line for line in file if not line.startswith("#")):
             # Steps of 0.7 rad/s say nothing of integrals over B/omega^2.
-            if row["figure"].isdigit() and int(row["figure"]) <= (30 if FULL else 24):
+            figure = int(row["figure"]) if row["figure"].isdigit() else 0
+            if 0 < figure <= (30 if FULL else 24) or 34 <= figure <= 36:
                 yield row
 
 
@@ -98,6 +99,10 @@ def curves(folder, row):
     meshes = {int(line["panels"]): line for line in rows(folder, "table4.csv")}
     name = f"figure{figure:02d}.csv"
     if not os.path.exists(os.path.join(folder, name)):
+        return
+    if figure >= 34:  # one axis for both curves
+        table = rows(folder, name)
+        yield "both", [float(line[c]) for line in table for c in ("linear", "nonlinear")]
         return
     medium = 433 if 433 in meshes else min(meshes)
     for panels in meshes if 15 <= figure <= 20 else [PANELS.get(figure, medium)]:
@@ -212,6 +217,48 @@ def check_findings(folder):
     return wrong
 
 
+def check_still_water(folder):
+    """What section 10 says of Figures 34 to 36."""
+    wrong = []
+
+    def finding(figure, what, holds, reached, bound):
+        print(f"figure {figure}: {what}: {reached:.4g}, {bound}")
+        record("Report figures", f"figure {figure}: {what}", "report, section 10", reached, bound)
+        if not holds:
+            wrong.append(f"figure {figure}: {what}: {reached:.4g} instead of {bound}")
+
+    def slope(values, i, j):
+        return (values[j][1] - values[i][1]) / (values[j][0] - values[i][0])
+
+    for figure in (34, 35, 36):
+        table = [[float(x) for x in line.values()] for line in rows(folder, f"figure{figure}.csv")]
+        nonlinear, linear = ([(row[0], row[k]) for row in table] for k in (1, 2))
+        rest = next(i for i, row in enumerate(table) if row[0] == 0)
+        tangent = slope(linear, 0, -1)
+        # At rest both are the same to the digits of the file. Over 0.25 m, 2.5 and 0.25 deg to both
+        # sides the flat stern above the transom's edge changes the waterplane by 3 % at most.
+        apart = abs(nonlinear[rest][1] - linear[rest][1])
+        finding(figure, "nonlinear less linear, at rest", apart < 1e-6, apart, "< 1e-6")
+        off = 100 * abs(slope(nonlinear, rest - 1, rest + 1) / tangent - 1)
+        finding(figure, "slopes at rest apart [%]", off < 3, off, "< 3")
+        ends = [abs(slope(nonlinear, *pair) / tangent) for pair in ((0, 1), (-2, -1))]
+        if figure == 34:  # the deck's ends rise with the sheer: not all of it is under
+            finding(figure, "slope at the lower end, of the linear one", ends[0] < 0.05, ends[0],
+                    "< 0.05")
+            out = nonlinear[-1][1]
+            finding(figure, "load of a ship out of the water", out == -1, out, "-1: the weight")
+        if figure == 35:
+            odd = max(abs(a[1] + b[1]) for a, b in zip(nonlinear, reversed(nonlinear)))
+            finding(figure, "arm to starboard plus arm to port [m]", odd < 1e-8, odd, "< 1e-8")
+            most = max(y for _, y in nonlinear)
+            left = abs(nonlinear[-1][1]) / most
+            finding(figure, "arm at 90 deg, of the greatest", left < 0.25, left, "< 0.25")
+        if figure == 36:
+            finding(figure, "slope at the ends, of the linear one", max(ends) < 0.6, max(ends),
+                    "< 0.6")
+    return wrong
+
+
 def main():
     program, axes, hydrostatics = sys.argv[1:]
     folder = "report_figures"
@@ -219,6 +266,7 @@ def main():
     size = [] if FULL else ["--panels", "224", "--every", "7"]
     subprocess.run([program, folder, *size], check=True)
     wrong = check_table2(folder, hydrostatics) + check_bounds(folder, axes)
+    wrong += check_still_water(folder)
     wrong += check_findings(folder) if FULL else []
     sys.exit("\n".join(wrong) or None)
 
