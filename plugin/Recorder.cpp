@@ -1,6 +1,7 @@
 #include "plugin/Recorder.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 #include "hydro/Errors.h"
@@ -15,6 +16,8 @@ constexpr double kDegrees = 180.0 / kPi;
 
 const std::vector<std::string> kMotionColumns{
     "t", "x", "y", "z", "roll_deg", "pitch_deg", "yaw_deg", "u", "v", "w", "p", "q", "r", "wave"};
+const std::vector<std::string> kWettedColumns{"wetted_area", "submerged_volume", "buoyancy_x",
+                                              "buoyancy_y",  "buoyancy_z",       "immersion"};
 
 }  // namespace
 
@@ -23,6 +26,13 @@ Recorder::Recorder(Seaway& seaway, const Ship& ship, RecorderSettings settings)
   if (settings.every < 1) {
     throw HydroError(Fault::ValueOutOfRange,
                      "Recorder: every is less than 1: " + std::to_string(settings.every));
+  }
+  if (settings.wetted) {
+    if (!ship.wetted())
+      throw HydroError(Fault::BadArgument,
+                       "Recorder: wetted: in mode = \"linear\" the hull is always wet as it is at "
+                       "rest; take mode = \"nonlinear\"");
+    names_.insert(names_.end(), kWettedColumns.begin(), kWettedColumns.end());
   }
   if (settings.forces) matchParts();
   seaway_.addObserver(*this);
@@ -66,6 +76,11 @@ void Recorder::tickDone(const Seaway&) noexcept {
   put(kDegrees * tick.attitude);
   put(tick.velocity);
   numbers_.push_back(seaway_.sea().elevation(tick.time, tick.position.x(), tick.position.y()));
+  if (settings_.wetted) {
+    const Wetted wet = ship_.wetted().value_or(Wetted{});
+    put(std::array{wet.area, wet.volume, wet.centre.x(), wet.centre.y(), wet.centre.z(),
+                   wet.immersion});
+  }
   if (!settings_.forces) return;
   const std::size_t first = numbers_.size();
   numbers_.resize(first + 6 * parts_.size(), 0.0);

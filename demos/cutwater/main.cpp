@@ -28,7 +28,8 @@ struct Arguments {
   std::string heel, trim = "free";
   command::PoseOptions poses;
   int threads = 0, panels = 0;
-  bool forces = false, free = false;
+  bool free = false;
+  command::RunColumns columns;
 };
 
 CLI::App* command(CLI::App& app, const std::string& name, const std::string& what,
@@ -223,11 +224,14 @@ void addRuns(CLI::App& app, Arguments& a) {
       app, "simulate", "One ship in Bullet, headless, motions as CSV; free unless mean = \"fixed\"",
       "simulate run.toml --forces -o run.csv");
   sub->add_option("run", a.input, "RUN.toml")->required();
-  sub->add_flag("--forces", a.forces, "add the parts of the load as columns");
+  sub->add_flag("--forces", a.columns.forces, "add the parts of the load as columns");
+  sub->add_flag("--wetted", a.columns.wetted,
+                "add wetted area, submerged volume, centre of buoyancy and immersion as columns;\n"
+                "nonlinear mode only");
   output(sub, a);
   sub->callback([&a] {
     checkFiles(a);
-    command::simulate(a.input, a.forces, a.out);
+    command::simulate(a.input, a.columns, a.out);
   });
 
   sub = command(app, "sweep",

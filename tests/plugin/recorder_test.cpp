@@ -30,6 +30,12 @@ TEST(Recorder, HasARowForEveryTickWhateverTheCalls) {
   EXPECT_NEAR(recorder.at(0, 14 + 6 + 2), 261800 * kSphereGravity - 7.695e5, 1e7 * kEpsilon);
 }
 
+TEST(Recorder, RefusesWettedColumnsOfAHullThatIsAlwaysAsAtRest) {
+  Scene scene;
+  ASSERT_FALSE(scene.sphere->wetted());
+  EXPECT_THROW(Recorder(scene.seaway, *scene.sphere, {.wetted = true}), HydroError);
+}
+
 TEST(Recorder, WritesWholeFilesOrNone) {
   Scene scene({.start = {.x = 3, .offset = one(Heave, 1.0)}});
   Recorder recorder(scene.seaway, *scene.sphere, {.every = 2});

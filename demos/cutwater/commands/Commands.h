@@ -58,7 +58,12 @@ void excitation(const std::string& database, const WaveOptions& waves, const std
 void rao(const std::string& database, const WaveOptions& waves, const LoadingOptions& loading,
          bool free, const std::string& out);
 void retardation(const std::string& database, double step, double duration, const std::string& out);
-void simulate(const std::string& run, bool forces, const std::string& out);
+/// What `simulate` writes besides motions.
+struct RunColumns {
+  bool forces = false;  ///< the parts of the load
+  bool wetted = false;  ///< what of the hull is wet; nonlinear mode only
+};
+void simulate(const std::string& run, const RunColumns& columns, const std::string& out);
 void sweep(const std::string& run, int threads, const std::string& out);
 
 /// "A:B:N", N values with both ends; empty: `fallback`.

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "demos/cutwater/commands/Commands.h"
+#include "demos/cutwater/commands/HullWarnings.h"
 #include "demos/cutwater/commands/Precision.h"
 #include "demos/cutwater/commands/RunShip.h"
 #include "demos/cutwater/output/Csv.h"
@@ -122,6 +123,14 @@ void placeShip(const RunFile& run, const std::shared_ptr<const Hydrodynamics>& s
   }
 }
 
+void requireWetted(const RunFile& run, const RunColumns& columns, const Ship& ship) {
+  if (!columns.wetted || ship.wetted()) return;
+  throw HydroError(Fault::BadArgument,
+                   run.path +
+                       ": --wetted: this run is in mode = \"linear\", whose hull is always wet as "
+                       "it is at rest; set [motion] mode = \"nonlinear\"");
+}
+
 }  // namespace
 
 std::shared_ptr<const Hydrodynamics> hydrodynamicsOf(RunFile& run) {
@@ -136,7 +145,7 @@ std::shared_ptr<const Hydrodynamics> hydrodynamicsOf(RunFile& run) {
   return ship;
 }
 
-void simulate(const std::string& path, bool forces, const std::string& out) {
+void simulate(const std::string& path, const RunColumns& columns, const std::string& out) {
   RunFile run = readRunFile(path, Mean::Free);
   usePrecision(run.doublePrecision);
   if (run.omega.size() > 1) {
@@ -147,8 +156,12 @@ void simulate(const std::string& path, bool forces, const std::string& out) {
   std::optional<RunShip> made;
   placeShip(run, ship, made);
   RunShip& world = *made;
-  world.ship().measureCosts(forces);
-  Recorder recorder(world.seaway(), world.ship(), {.forces = forces});
+  for (const std::string& line : hullWarnings(run, {hullNotes(world.ship())}))
+    warn(run.path + ": " + line);
+  requireWetted(run, columns, world.ship());
+  world.ship().measureCosts(columns.forces);
+  Recorder recorder(world.seaway(), world.ship(),
+                    {.forces = columns.forces, .wetted = columns.wetted});
   const std::size_t rows = rowsOf(run, recorder.columns().size());
   Progress progress("simulate");
   recorder.reserve(rows + static_cast<std::size_t>(run.substeps));
@@ -157,7 +170,7 @@ void simulate(const std::string& path, bool forces, const std::string& out) {
     progress.show(static_cast<int>(std::min(recorder.rows(), rows)), static_cast<int>(rows));
   }
   writeRows(run, recorder, world, out);
-  if (forces) printParts(recorder, world.ship());
+  if (columns.forces) printParts(recorder, world.ship());
 }
 
 }  // namespace cutwater::command

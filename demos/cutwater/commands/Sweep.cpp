@@ -7,6 +7,7 @@
 
 #include "demos/cutwater/commands/Commands.h"
 #include "demos/cutwater/commands/HarmonicFit.h"
+#include "demos/cutwater/commands/HullWarnings.h"
 #include "demos/cutwater/commands/Precision.h"
 #include "demos/cutwater/commands/RunShip.h"
 #include "demos/cutwater/output/Csv.h"
@@ -32,6 +33,7 @@ struct WaveRun {
   CVec6 amplitude = CVec6::Constant(Complex(std::nan(""), std::nan("")));  // of a run that broke
   std::string ranAway{};  // why motions are no answer to the wave
   RunFaults faults{};
+  HullNotes hull{};
 };
 
 // The second half of a run.
@@ -109,8 +111,8 @@ WaveRun motionInBullet(const RunFile& run, const std::shared_ptr<const Hydrodyna
     const Vec6 now = motionOf(world.ship(), run);
     for (std::size_t j = 0; j < 6; ++j) motion.of[j].push_back(now[static_cast<int>(j)]);
   }
-  WaveRun result{.faults = world.faults()};
-  result.faults.of = "omega = " + csvNumber(run.omega[index]);
+  WaveRun result{.faults = world.faults(), .hull = hullNotes(world.ship())};
+  result.faults.of = result.hull.of = "omega = " + csvNumber(run.omega[index]);
   if (!world.broken()) fit(run, index, ship->ship().gravity, motion, result);
   return result;
 }
@@ -185,6 +187,12 @@ void warnOfRunaways(const RunFile& run, const std::vector<WaveRun>& waves) {
   }
 }
 
+void warnOfHulls(const RunFile& run, const std::vector<WaveRun>& waves) {
+  std::vector<HullNotes> hulls;
+  for (const WaveRun& wave : waves) hulls.push_back(wave.hull);
+  for (const std::string& line : hullWarnings(run, hulls)) warn(run.path + ": " + line);
+}
+
 // Ends the command if no mode that was free answered a wave.
 void requireAnAnswer(const RunFile& run, const std::vector<WaveRun>& waves) {
   bool ran = false;
@@ -233,6 +241,7 @@ void sweep(const std::string& path, int threads, const std::string& out) {
     }
   }
   csv.write(out);
+  warnOfHulls(run, waves);
   warnOfRunaways(run, waves);
   tellFaults(path, waves);
   requireAnAnswer(run, waves);
