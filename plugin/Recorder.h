@@ -18,13 +18,13 @@ struct RecorderSettings {
   bool wetted = false;  ///< what of the hull is wet as well (Ship::wetted); nonlinear mode only
 };
 
-/// Motions of a ship, and if wished the parts of its loads, at every internal tick, as CSV:
+/// Motions of a ship, and if wished more, at every internal tick, as CSV:
 ///   t,x,y,z,roll_deg,pitch_deg,yaw_deg,u,v,w,p,q,r,wave
-/// then with wetted
+/// with wetted, what of the hull was in the water (Ship::wetted), its centre of buoyancy [m] in E:
 ///   wetted_area,submerged_volume,buoyancy_x,buoyancy_y,buoyancy_z,immersion
-/// and with forces <part>_F1 … <part>_F6 for each part of the load, in the order of Ship::parts().
+/// with forces <part>_F1 … <part>_F6 for each part of the load, in the order of Ship::parts().
 /// A row is the state at t_n and the loads evaluated from it (TickRecord): x, y, z of G [m] in E; u
-/// … r [m/s, rad/s] in B; the centre of buoyancy [m] in E; forces [N] in H, moments [N·m] about G in upright axes with the ship's
+/// … r [m/s, rad/s] in B; forces [N] in H, moments [N·m] about G in upright axes with the ship's
 /// heading. A part that joins while it records gets columns that hold 0 in the rows before; one
 /// that leaves keeps its columns, with 0 from then on. Memory grows by 8 bytes a number; reserve()
 /// keeps it from being allocated within ticks.
