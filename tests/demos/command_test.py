@@ -167,8 +167,8 @@ lid = false
         run = self.path("run.toml", RUN)
         rows = table("simulate", run, "--forces")
         expected = "t x y z roll_deg pitch_deg yaw_deg u v w p q r wave".split()
-        for part in ("gravity restoring froude_krylov diffraction radiation added_mass "
-                     "supplementary autopilots hull_lift resistance").split():
+        for part in ("gravity wetted_pressure restoring froude_krylov diffraction radiation "
+                     "added_mass supplementary autopilots hull_lift resistance").split():
             expected += [f"{part}_F{i}" for i in range(1, 7)]
         self.assertEqual(list(rows[0]), expected)
         self.assertEqual(len(rows), 201)

@@ -10,8 +10,8 @@ import tempfile
 import unittest
 
 COMMAND, DATABASE = (os.path.abspath(a) for a in sys.argv[1:3])
-PARTS = ["gravity", "restoring", "froude_krylov", "diffraction", "radiation", "added_mass",
-         "supplementary", "autopilots", "hull_lift", "resistance"]
+PARTS = ["gravity", "wetted_pressure", "restoring", "froude_krylov", "diffraction", "radiation",
+         "added_mass", "supplementary", "autopilots", "hull_lift", "resistance"]
 OF_FREE_SHIPS = ["hull_lift", "resistance"]
 RUN = f"""database = "{DATABASE}"
 [bullet]
@@ -45,9 +45,21 @@ class Parts(unittest.TestCase):
 
         self.assertEqual(columns(""), of(PARTS))  # a run is of a free ship
         self.assertEqual(columns('mean = "free"\n'), of(PARTS))
-        fixed = [part for part in PARTS if part not in OF_FREE_SHIPS]
+        coasting = [part for part in PARTS if part not in OF_FREE_SHIPS]
+        self.assertEqual(columns("resistance = false\nhull_lift = false\n"), of(coasting))
+        linear = [part for part in PARTS if part != "wetted_pressure"]
+        self.assertEqual(columns('mode = "linear"\n'), of(linear))
+        fixed = [part for part in coasting if part in linear]
         self.assertEqual(columns('mean = "fixed"\n'), of(fixed))
-        self.assertEqual(columns("resistance = false\nhull_lift = false\n"), of(fixed))
+
+    def test_the_wetted_pressure_takes_the_place_of_restoring_and_froude_krylov(self):
+        rows = self.rows(self.simulate("", "--forces"))
+        for row in rows:
+            self.assertEqual(float(row["restoring_F3"]), 0.0)
+            self.assertEqual(float(row["froude_krylov_F3"]), 0.0)
+        # It carries the ship: its mean is the weight, but for heave's acceleration (2 %).
+        mean = sum(float(row["wetted_pressure_F3"]) for row in rows) / len(rows)
+        self.assertAlmostEqual(-mean / float(rows[0]["gravity_F3"]), 1.0, delta=0.02)
 
     def test_each_part_says_its_mean_and_what_it_costs(self):
         done = self.simulate("", "--forces")
