@@ -125,13 +125,17 @@ double Ship::energy() const noexcept {
          0.5 * velocity.dot(waterMomentum()) + 0.5 * motion.dot(restoring * motion);
 }
 
-// The velocities before and after the kick of a tick, with the place in between.
+// The velocities before and after the kick of a tick, with the place in between. Of a fixed course
+// the linear axes of A∞ do not pitch (turnAddedMass).
 double Ship::energyAtTick() const noexcept {
   const ShipParticulars& ship = coefficients().ship;
   const Mat3 toBody = input_.attitude.transpose();
-  const Vec6 own = rotated(toBody, toBody, 0.5 * (velocityAfter_ + velocityBefore_));
-  const Mat3 toOwn = input_.ownAxes.transpose() * input_.attitude;
-  const Vec6 turned = rotated(toOwn, toOwn, own);
+  const Vec6 velocity = 0.5 * (velocityAfter_ + velocityBefore_);
+  const Vec6 own = rotated(toBody, toBody, velocity);
+  const Mat3& pitched = input_.ownAxes;
+  const Mat3 level = rotationZ(std::atan2(pitched(1, 0), pitched(0, 0)));
+  const Vec6 turned =
+      rotated((free() ? pitched : level).transpose(), pitched.transpose(), velocity);
   const double gravity = ship.gravity, rho = ship.density;
   const double potential = mass() * gravity * (input_.position.z() - ship.cog.z()) -
                            rho * gravity * wetted_->volume() * wetted_->centre().z();
