@@ -1,0 +1,98 @@
+#include "tests/verification/nonlinear/NonlinearShip.h"
+
+#include <cmath>
+
+#include "hydro/geometry/MeshIntegrals.h"
+#include "hydro/memory/RetardationFunction.h"
+#include "hydro/ship/Afloat.h"
+
+namespace cutwater::test {
+
+namespace {
+
+constexpr double kCoupling = 0.3;  // of heave and pitch, of what would make them one
+
+// B = A(∞) (2ω)⁴/10(1 + ω²)⁴, which is positive and vanishes at both ends; A follows from it.
+void addRadiation(Coefficients& c, const Vec6& share) {
+  Mat6& added = c.addedMass.atInfinity;
+  added = share.asDiagonal() * c.ship.massMatrix();
+  added(Heave, Pitch) = added(Pitch, Heave) =
+      kCoupling * std::sqrt(added(Heave, Heave) * added(Pitch, Pitch));
+  std::vector<double> law;
+  for (int i = 1; i <= 60; ++i) {
+    const double omega = 0.1 * i;
+    c.omega.push_back(omega);
+    law.push_back(0.1 * std::pow(2.0 * omega / (1.0 + omega * omega), 4));
+  }
+  const RetardationFunction memory(c.omega, law);
+  for (std::size_t i = 0; i < c.omega.size(); ++i) {
+    const double part = memory.sineTransform(c.omega[i]) / c.omega[i];
+    c.damping.values.push_back(law[i] * c.addedMass.atInfinity);
+    c.addedMass.values.push_back((1.0 - part) * c.addedMass.atInfinity);
+  }
+  c.addedMass.atZero = (1.0 + memory.remaining(0.0)) * c.addedMass.atInfinity;
+}
+
+void addNoWaveForces(Coefficients& c) {
+  for (int i = 0; i <= 6; ++i) c.headings.push_back(i * kPi / 6);
+  const std::vector<CVec6> none(c.omega.size(), CVec6::Zero());
+  c.froudeKrylov.assign(c.headings.size(), none);
+  c.diffraction = c.froudeKrylov;
+}
+
+}  // namespace
+
+Coefficients bareCoefficients(const BareHull& bare) {
+  Coefficients c;
+  c.forwardSpeed = ForwardSpeedForm::Tuck;
+  const Hull hull = makeHull(bare.closed, "bare", Symmetry::Auto);
+  const Loading loading{.cog = bare.cog, .level = true, .gyradii = bare.gyradii};
+  c.ship = afloat(panelledAsItIs(hull), loading, {bare.density, bare.gravity}).ship;
+  c.ship.name = "bare";
+  addRadiation(c, bare.share);
+  addNoWaveForces(c);
+  return c;
+}
+
+std::shared_ptr<const Hydrodynamics> bareShip(const BareHull& hull) {
+  return std::make_shared<const Hydrodynamics>(bareCoefficients(hull));
+}
+
+SurfaceMesh scaledToVolume(SurfaceMesh mesh, double volume) {
+  const double factor = std::cbrt(volume / volumeIntegrals(mesh).volume);
+  for (Vec3& p : mesh.vertices) p *= factor;
+  return mesh;
+}
+
+OneShip::OneShip(std::shared_ptr<const Hydrodynamics> hydrodynamics, const SeaState& sea,
+                 const ShipSettings& settings)
+    : bullet(hydrodynamics->ship().gravity),
+      seaway(bullet.world, sea),
+      ship(seaway.addShip(std::move(hydrodynamics), settings)) {}
+
+ShipSettings pressureOnly(Mean mean) {
+  ShipSettings settings;
+  settings.model.mean = mean;
+  settings.model.mode = HullPressure::Nonlinear;
+  settings.model.hullLift = settings.model.resistance = false;
+  settings.model.without = {"radiation", "added_mass", "diffraction", "supplementary"};
+  return settings;
+}
+
+std::vector<double> risesThroughZero(const std::vector<double>& samples, double step) {
+  std::vector<double> times;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const double before = samples[i - 1], now = samples[i];
+    if (before < 0.0 && now >= 0.0)
+      times.push_back(step * (static_cast<double>(i) - now / (now - before)));
+  }
+  return times;
+}
+
+double meanPeriod(const std::vector<double>& samples, double step) {
+  const std::vector<double> times = risesThroughZero(samples, step);
+  if (times.size() < 2) return 0.0;
+  return (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+}
+
+}  // namespace cutwater::test
