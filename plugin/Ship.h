@@ -95,6 +95,11 @@ Vec3 eulerAngles(const Mat3& rotation) noexcept;
 /// stern points up, as Euler's does. Between the two it goes over smoothly.
 Vec3 motionAngles(const Mat3& rotation) noexcept;
 
+/// The same, but as long as the bow is within 30 degrees of level, whatever the roll; beyond 45 the
+/// heading is that of motionAngles. It does not jump where a ship turns over: its heading is where
+/// its bow points. Own axes of nonlinear mode.
+Vec3 bowAngles(const Mat3& rotation) noexcept;
+
 /// One ship: a btRigidBody and the hydrodynamic loads on it. Made by Seaway::addShip.
 ///     cutwater::Ship& ship = seaway.addShip(frigate, {.start = {.speed = 8.0}});
 ///     ship.keepCourse({.heading = 0.5});                     // autopilots
@@ -335,6 +340,7 @@ class Ship {
   Mat3 bodyAxes() const noexcept;
   Mat3 toCourse() const noexcept;
   double heading() const noexcept;
+  Vec3 ownAngles(const Mat3& attitude) const noexcept;
   Mat3 ownAxesNow() const noexcept;
   Vec6 velocityInEarth(const btVector3& linear, const btVector3& angular) const noexcept;
   Vec6 velocityNow() const noexcept;

@@ -271,7 +271,7 @@ std::uint32_t Ship::lookForMoves() noexcept {
                        static_cast<double>((pose.getOrigin() - known_.pose.getOrigin()).length());
   if (moved <= kSetElsewhere * length() && turnBetween(known_.pose, pose) <= kTurnedAway)
     return kStepOk;
-  const double before = motionAngles(frame_.rotationToEarth(known_.pose.getBasis())).z();
+  const double before = ownAngles(frame_.rotationToEarth(known_.pose.getBasis())).z();
   const double turn = std::remainder(heading() - before, 2.0 * kPi);
   body_->updateInertiaTensor();
   const Vec3 at = position();

@@ -49,7 +49,7 @@ void Ship::findMotion(TickInput& input) const noexcept {
 // Own axes half a tick ahead: where the solver's velocity will be centred.
 void Ship::findOwnMotion() noexcept {
   TickInput& now = input_;
-  const Vec3 angles = motionAngles(now.attitude);
+  const Vec3 angles = ownAngles(now.attitude);
   const Mat3 own = ownAxes(angles.z(), angles.y()), toOwn = own.transpose();
   const AddedMassConstraint::TurningAxes& solved = added().pastAxes();
   const Mat3 world = frame_.axes();

@@ -34,17 +34,22 @@ Vec3 eulerAngles(const Mat3& r) noexcept {
           std::atan2(r(1, 0), r(0, 0))};
 }
 
-Vec3 motionAngles(const Mat3& r) noexcept {
-  constexpr double kUpright = kPi / 6.0, kBeyond = kPi / 4.0;
+namespace {
+
+constexpr double kUpright = kPi / 6.0, kBeyond = kPi / 4.0;
+
+// Euler's angles up to kUpright of `tilt`, from kBeyond on those of a turn about a level axis after
+// one about the vertical.
+Vec3 goneOver(const Mat3& r, double tilt) {
   const Vec3 euler = eulerAngles(r);
-  const double tilt = std::acos(std::clamp(r(2, 2), -1.0, 1.0));
   if (!(tilt > kUpright)) return euler;
   const Eigen::Quaterniond all(r);
   const double yaw = 2.0 * std::atan2(all.z(), all.w());
   const Eigen::Quaterniond back(Eigen::AngleAxisd(-yaw, Vec3::UnitZ()));
   const Vec3 axis = (back * all).vec();
   const double size = std::hypot(axis.x(), axis.y());
-  Vec3 swing = size > 0.0 ? Vec3(axis * (tilt / size)) : Vec3(Vec3::Zero());
+  const double turn = std::acos(std::clamp(r(2, 2), -1.0, 1.0));
+  Vec3 swing = size > 0.0 ? Vec3(axis * (turn / size)) : Vec3(Vec3::Zero());
   swing.z() = yaw;
   const double share = std::min(1.0, (tilt - kUpright) / (kBeyond - kUpright));
   Vec3 way = swing - euler;
@@ -52,6 +57,16 @@ Vec3 motionAngles(const Mat3& r) noexcept {
   Vec3 angles = euler + share * share * (3.0 - 2.0 * share) * way;
   angles.z() = std::remainder(angles.z(), 2.0 * kPi);
   return angles;
+}
+
+}  // namespace
+
+Vec3 motionAngles(const Mat3& r) noexcept {
+  return goneOver(r, std::acos(std::clamp(r(2, 2), -1.0, 1.0)));
+}
+
+Vec3 bowAngles(const Mat3& r) noexcept {
+  return goneOver(r, std::asin(std::clamp(std::abs(r(2, 0)), 0.0, 1.0)));
 }
 
 const Hydrodynamics& Ship::hydrodynamics() const noexcept { return *tables_->hydrodynamics(); }
@@ -68,10 +83,15 @@ Mat3 Ship::bodyAxes() const noexcept {
 
 Vec3 Ship::attitude() const noexcept { return eulerAngles(bodyAxes()); }
 
-double Ship::heading() const noexcept { return motionAngles(bodyAxes()).z(); }
+double Ship::heading() const noexcept { return ownAngles(bodyAxes()).z(); }
+
+// A ship that turns over passes keel up, where motionAngles jump.
+Vec3 Ship::ownAngles(const Mat3& attitude) const noexcept {
+  return nonlinear() ? bowAngles(attitude) : motionAngles(attitude);
+}
 
 Mat3 Ship::ownAxesNow() const noexcept {
-  const Vec3 angles = motionAngles(bodyAxes());
+  const Vec3 angles = ownAngles(bodyAxes());
   return ownAxes(angles.z(), angles.y());
 }
 

@@ -139,12 +139,13 @@ TEST(ShipGuard, CapsizedInAStormItStaysBounded) {
   }
 }
 
+Mat3 rotation(double roll, double pitch, double yaw) {
+  return (Eigen::AngleAxisd(yaw, Vec3::UnitZ()) * Eigen::AngleAxisd(pitch, Vec3::UnitY()) *
+          Eigen::AngleAxisd(roll, Vec3::UnitX()))
+      .toRotationMatrix();
+}
+
 TEST(MotionAngles, AreEulersWhenUprightAndHaveNoJumpBeyond) {
-  const auto rotation = [](double roll, double pitch, double yaw) {
-    return Mat3((Eigen::AngleAxisd(yaw, Vec3::UnitZ()) * Eigen::AngleAxisd(pitch, Vec3::UnitY()) *
-                 Eigen::AngleAxisd(roll, Vec3::UnitX()))
-                    .toRotationMatrix());
-  };
   EXPECT_EQ(motionAngles(rotation(0.3, -0.2, 2.0)), eulerAngles(rotation(0.3, -0.2, 2.0)));
   // Roll alone and pitch alone are themselves to ±180 degrees.
   for (const double angle : {-3.1, -1.6, -0.7, 0.6, 1.5, 1.7, 3.0}) {
@@ -159,6 +160,23 @@ TEST(MotionAngles, AreEulersWhenUprightAndHaveNoJumpBeyond) {
     EXPECT_LT(step.norm(), 0.005) << i;
     before += step;
   }
+}
+
+// A ship that rolls over, its bow up and down a little as it goes.
+TEST(BowAngles, AreEulersWhileTheBowIsLevelAndHaveNoJumpKeelUp) {
+  for (int i = -314; i <= 314; ++i) {
+    const double roll = 0.01 * i, pitch = 0.5 * std::sin(7.0 * roll);
+    EXPECT_EQ(bowAngles(rotation(roll, pitch, 0.3)), eulerAngles(rotation(roll, pitch, 0.3)));
+  }
+  // motionAngles turn by 180 degrees in between.
+  const Vec3 before(kPi - 0.01, 0.001, 0.3), after(kPi + 0.01, 0.001, 0.3);
+  const auto heading = [](auto angles, const Vec3& at) {
+    return angles(rotation(at.x(), at.y(), at.z())).z();
+  };
+  EXPECT_NEAR(heading(bowAngles, before), heading(bowAngles, after), 1e-12);
+  EXPECT_GT(std::abs(heading(motionAngles, before) - heading(motionAngles, after)), 0.1);
+  // A steep bow has the heading of motionAngles, which does not jump there.
+  EXPECT_EQ(bowAngles(rotation(0.2, 1.5, 0.3)), motionAngles(rotation(0.2, 1.5, 0.3)));
 }
 
 // Shared among worlds.
