@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kCoupling = 0.3;  // of heave and pitch, of what would make them one
 
-// B = A(∞) (2ω)⁴/10(1 + ω²)⁴, which is positive and vanishes at both ends; A follows from it.
+// B = A(∞) 0.4(2ω)⁴/(1 + ω²)⁴, which is positive and vanishes at both ends; A follows from it.
 void addRadiation(Coefficients& c, const Vec6& share) {
   Mat6& added = c.addedMass.atInfinity;
   added = share.asDiagonal() * c.ship.massMatrix();
@@ -22,7 +22,7 @@ void addRadiation(Coefficients& c, const Vec6& share) {
   for (int i = 1; i <= 60; ++i) {
     const double omega = 0.1 * i;
     c.omega.push_back(omega);
-    law.push_back(0.1 * std::pow(2.0 * omega / (1.0 + omega * omega), 4));
+    law.push_back(0.4 * std::pow(2.0 * omega / (1.0 + omega * omega), 4));
   }
   const RetardationFunction memory(c.omega, law);
   for (std::size_t i = 0; i < c.omega.size(); ++i) {
@@ -33,11 +33,14 @@ void addRadiation(Coefficients& c, const Vec6& share) {
   c.addedMass.atZero = (1.0 + memory.remaining(0.0)) * c.addedMass.atInfinity;
 }
 
-void addNoWaveForces(Coefficients& c) {
-  for (int i = 0; i <= 6; ++i) c.headings.push_back(i * kPi / 6);
-  const std::vector<CVec6> none(c.omega.size(), CVec6::Zero());
-  c.froudeKrylov.assign(c.headings.size(), none);
-  c.diffraction = c.froudeKrylov;
+// No diffraction for any wave, and so F_I of the panels for each.
+void addNoDiffraction(Coefficients& c) {
+  const auto count = static_cast<Eigen::Index>(c.ship.wetSurface.faces.size());
+  const CoefficientTables::AdjointVectors none = CoefficientTables::AdjointVectors::Zero(6, count);
+  for (auto* vectors : {&c.adjoint, &c.adjointX}) {
+    vectors->values.assign(c.omega.size(), none);
+    vectors->atZero = vectors->atInfinity = none;
+  }
 }
 
 }  // namespace
@@ -50,7 +53,7 @@ Coefficients bareCoefficients(const BareHull& bare) {
   c.ship = afloat(panelledAsItIs(hull), loading, {bare.density, bare.gravity}).ship;
   c.ship.name = "bare";
   addRadiation(c, bare.share);
-  addNoWaveForces(c);
+  addNoDiffraction(c);
   return c;
 }
 

@@ -14,7 +14,8 @@ inline constexpr const char* kTopic = "16 Nonlinear mode";  // of the results pa
 
 /// A closed hull afloat at its mass, with G over the centre of buoyancy: x of `cog` is not read.
 /// Its own mass is added `share` times in each mode, heave and pitch coupled, with a damping that
-/// belongs to it; no waves are thrown back. For tests that look at the pressure alone.
+/// belongs to it. It throws no waves back; F_I is that of the faces below water, the linear one's
+/// panels. For tests that look at the pressure alone.
 struct BareHull {
   SurfaceMesh closed;
   Vec3 cog = Vec3::Zero();
