@@ -92,8 +92,8 @@ TEST(OesSphereVerification, HeaveInRegularWavesIsThatOfTwoOtherCodes) {
   EXPECT_EQ(compared, 16);
 }
 
-// How much profile and immersion matter, in all rows: stated, not bounded. Immersion alone is: in
-// waves up to the radius of the sphere s takes less than 1.5 %, as it stays near 1 all the time.
+// How much profile and immersion matter, in all rows: stated. That of immersion is bounded by the
+// width of the comparison; it is far less, as s stays near 1 in waves up to the sphere's radius.
 TEST(OesSphereVerification, WhatProfileAndImmersionChange) {
   for (const Row& row : rows()) {
     if (!fullSize() && row.period != 9.0) continue;

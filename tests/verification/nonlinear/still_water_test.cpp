@@ -10,6 +10,7 @@
 #include "hydro/geometry/MeshIntegrals.h"
 #include "hydro/geometry/shapes/Shapes.h"
 #include "hydro/geometry/wetted/PressureMesh.h"
+#include "hydro/geometry/wetted/SymmetricTriangles.h"
 #include "tests/support/Hulls.h"
 #include "tests/support/Meshes.h"
 #include "tests/support/Results.h"
@@ -28,11 +29,11 @@ struct NamedMesh {
 };
 
 std::vector<NamedMesh> frigates() {
-  const SurfaceMesh coarse = evenTriangles(closedFrigate(32, 7));
+  const SurfaceMesh coarse = symmetricTriangles(closedFrigate(32, 7));
   return {{"coarse", coarse},
           {"shaken by 0.2 m and shuffled", shuffled(shaken(coarse, 0.2))},
           {"refined to 1.5 m", refined(coarse, 1.5, 100000).mesh},
-          {"fine", evenTriangles(closedFrigate(90, 24))}};
+          {"fine", symmetricTriangles(closedFrigate(90, 24))}};
 }
 
 Mat3 randomAttitude(std::mt19937& random) {
