@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -16,9 +17,10 @@ namespace cutwater {
 /// One ship's; one thread. Allocates in its constructor only.
 class WettedHull {
  public:
+  /// @param length  of the ship [m].
   /// @param scaled  false: the hull counts as wholly immersed always (Immersion::Constant).
   WettedHull(std::shared_ptr<const PressureHull> hull, std::shared_ptr<const SeaTables> tables,
-             double density, double gravity, bool scaled);
+             double length, double density, double gravity, bool scaled);
 
   /// The hull at t [s]: G in E [m], R_EB. Once a tick.
   /// @param slow  G and heading at which the waves meet the hull: of a free ship its slow ones. The
@@ -27,7 +29,11 @@ class WettedHull {
     Vec3 position = Vec3::Zero();
     Mat3 attitude = Mat3::Identity();
   };
-  void look(double time, const Place& actual, const Place& slow) noexcept;
+  /// @param velocity  of G [m/s] and of turning [rad/s] in E. Only what is not level of the first
+  ///        and level of the second counts: the rest is the slow motion.
+  /// @param way  velocity of the slow place in E [m/s], x and y.
+  void look(double time, const Place& actual, const Place& slow, const Vec6& velocity,
+            const std::array<double, 2>& way) noexcept;
   /// The next look() has no past: nothing comes in or goes out with it.
   void forget() noexcept { begun_ = false; }
 
@@ -62,6 +68,7 @@ class WettedHull {
   void restore(std::span<const double> state) noexcept;
 
  private:
+  void weighWaves(const std::array<double, 2>& way) noexcept;
   void findWater(double time) noexcept;
   void findImmersion(double time) noexcept;
 
@@ -70,9 +77,12 @@ class WettedHull {
   WaterPressure water_;
   double density_, gravity_;
   bool scaled_, calm_;
+  double slow_;        // ω₀ of FreeResponse::share
+  double fast_ = 0.0;  // share of the sea's energy that is met fast
   double near_ = 0.0;  // depth of the deepest vertex of which an edge may be cut [m]
   WettedTriangles::State state_;
-  std::vector<double> x_, y_, z_, elevation_, head_, surfaceHead_;
+  std::vector<double> x_, y_, z_, elevation_, head_, surfaceHead_, along_, across_;
+  std::vector<double> weightX_, weightY_;  // of each wave, for the flow along x and y of E
   Place actual_, met_;
   Vec6 load_ = Vec6::Zero();
   std::vector<double> shares_, before_, rise_;

@@ -56,6 +56,23 @@ CUTWATER_INLINE Double headAt(const auto& sea, const Double& z) {
   });
 }
 
+/// r Σ f a e^{kz} cos θ with both factors f of each wave.
+template <class Double>
+CUTWATER_INLINE void weighedAt(const auto& sea, const Double& z, double* first, double* second) {
+  const auto level = toSingle(z);
+  using Single = decltype(toSingle(z));
+  const auto* waves = sea.waves.data();
+  const auto* heights = sea.heights.data();
+  Single one = {}, two = {};
+  for (std::size_t i = 0; i < sea.waves.size(); ++i) {
+    const Single height = loadAs<Single>(heights + i) * powerOfTwo(waves[i].octaves * level);
+    one += waves[i].first * height;
+    two += waves[i].second * height;
+  }
+  toDouble(one).store(first);
+  toDouble(two).store(second);
+}
+
 /// The water at the points from `first` on, as many as Double holds. Where the point and the
 /// surface are at one height, so are the two exponents, to the bit, and with them both heads.
 template <class Double>
@@ -65,13 +82,15 @@ CUTWATER_INLINE void waterAt(const auto& sea, const auto& points, std::size_t fi
   const Double zeta =
       elevationAt(sea, Double::load(&points.x[first]), Double::load(&points.y[first]));
   zeta.store(&water.elevation[first]);
-  if (sea.profile == WaveProfile::Wheeler) {
-    headAt(sea, least(z, zeta) - zeta).store(&water.head[first]);
+  const bool wheeler = sea.profile == WaveProfile::Wheeler;
+  const Double surface = sea.profile == WaveProfile::Constant ? least(zeta, Double{}) : zeta;
+  const Double level = wheeler ? least(z, zeta) - zeta : least(z, surface);
+  headAt(sea, level).store(&water.head[first]);
+  if (!water.first.empty()) weighedAt(sea, level, &water.first[first], &water.second[first]);
+  if (wheeler) {
     zeta.store(&water.surfaceHead[first]);
     return;
   }
-  const Double surface = sea.profile == WaveProfile::Constant ? least(zeta, Double{}) : zeta;
-  headAt(sea, least(z, surface)).store(&water.head[first]);
   bool isNear = false;
   for (std::size_t i = first; i < first + sizeof(Double) / sizeof(double); ++i)
     isNear |= points.z[i] > -near;
@@ -105,6 +124,13 @@ WaterPressure::WaterPressure(const SeaState& sea, bool wide)
     waves_.push_back({0.0, kPerRadian * k * std::cos(c.heading),
                       -kPerRadian * k * std::sin(c.heading), 0.0F,
                       static_cast<float>(k / std::log(2.0))});
+  }
+}
+
+void WaterPressure::weigh(std::span<const double> first, std::span<const double> second) noexcept {
+  for (std::size_t i = 0; i < waves_.size(); ++i) {
+    waves_[i].first = static_cast<float>(first[i]);
+    waves_[i].second = static_cast<float>(second[i]);
   }
 }
 

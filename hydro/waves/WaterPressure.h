@@ -33,16 +33,22 @@ class WaterPressure {
   /// What there is at each: ζ [m]; H [m]; and H at the surface above or below the point [m].
   struct Water {
     std::span<double> elevation, head, surfaceHead;
+    /// Sums like H, but each wave times its factors of weigh(). Empty: not made.
+    std::span<double> first = {}, second = {};
   };
 
   /// Allocates all that it needs.
   /// @param wide  false: does without the widest registers that a machine may have, for tests.
   explicit WaterPressure(const SeaState& sea, bool wide = true);
 
+  /// Factors of each wave for Water::first and second. 0 before the first call.
+  /// @pre Both have one number for each component of the sea.
+  void weigh(std::span<const double> first, std::span<const double> second) noexcept;
+
   /// The water at time t [s], x and y from originX, originY [m].
   /// @param near  [m] surfaceHead is made for points whose z is above −near, so that a ship can
   ///        leave it out where no surface comes. At others it is finite and means nothing.
-  /// @pre All six arrays have one length, a multiple of kLanes.
+  /// @pre All arrays have one length, a multiple of kLanes.
   /// No allocation. O(points × components).
   void at(double time, double originX, double originY, const Points& points, double near,
           const Water& water) noexcept;
@@ -54,6 +60,7 @@ class WaterPressure {
     double turnsX, turnsY;  ///< k_x/2π, k_y/2π [1/m]
     float height;           ///< r a [m]
     float octaves;          ///< k/ln 2 [1/m]: e^{kz} = 2^{octaves z}
+    float first = 0.0F, second = 0.0F;
   };
   /// What of a component does not change.
   struct Component {

@@ -53,11 +53,18 @@ class WettedTriangles {
     std::vector<double> pressure;  ///< [Pa], where depth > 0
     /// [Pa] in the surface above or below the vertex, where an edge of it is cut; 0 in still water.
     std::vector<double> surfacePressure;
+    /// Of a hull that moves: three quantities f of the water at the vertex, and one, g, in the
+    /// surface above or below it.
+    std::vector<Vec3> carried;
+    std::vector<double> onSurface;
     // Out.
-    Vec6 load = Vec6::Zero();      ///< [N, N·m]
-    double area = 0.0;             ///< wetted [m²]
-    double volume = 0.0;           ///< submerged [m³]
-    Vec3 centre = Vec3::Zero();    ///< of that volume [m]; 0 where there is none
+    Vec6 load = Vec6::Zero();    ///< [N, N·m]
+    double area = 0.0;           ///< wetted [m²]
+    double volume = 0.0;         ///< submerged [m³]
+    Vec3 centre = Vec3::Zero();  ///< of that volume [m]; 0 where there is none
+    Vec3 flow = Vec3::Zero();    ///< ∫f (V·n) dS, of a hull that moves
+    /// ∮g ν dl along the waterline and its moment, ν outwards, level and of unit length.
+    Vec6 edge = Vec6::Zero();
     std::vector<double> beamArea;  ///< wetted area that faces down, seen from above [m²], by strip
     /// Pieces of the waterline [m], in no order. Never more than one a triangle.
     std::vector<std::pair<Vec3, Vec3>> waterline;
@@ -65,6 +72,9 @@ class WettedTriangles {
   /// Allocates nothing; some ten microseconds for 2000 triangles.
   /// @param up  the vertical in hull axes, a unit vector.
   void cut(const Vec3& up, State& state) const noexcept;
+  /// The same, and `flow` and `edge` with the hull's velocity V = v + Ω × r.
+  /// @param motion  v [m/s], Ω [rad/s] in hull axes.
+  void cut(const Vec3& up, const Vec6& motion, State& state) const noexcept;
 
  private:
   struct Triangle {
@@ -76,11 +86,19 @@ class WettedTriangles {
   struct Corner {
     Vec3 r;
     double depth, pressure;
+    Vec3 carried;
+    double onSurface;
   };
+  template <bool moving>
   struct Sums;
+  template <bool moving>
   Corner corner(const State& state, int vertex) const noexcept;
+  template <bool moving>
   Corner crossing(const State& state, int wet, int dry) const noexcept;
-  void cutOne(const Triangle& triangle, int wet, State& state, Sums& sums) const noexcept;
+  template <bool moving>
+  void cutOne(const Triangle& triangle, int wet, State& state, Sums<moving>& sums) const noexcept;
+  template <bool moving>
+  void cutAll(const Vec3& up, const Vec6& motion, State& state) const noexcept;
 
   Points points_;
   std::vector<Vec3> places_;
