@@ -2,7 +2,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/forces/OwnAxes.h"
@@ -119,15 +118,11 @@ void Ship::findWetted() noexcept {
   if (!nonlinear()) return;
   const WettedHull::Place actual{input_.position, input_.attitude};
   WettedHull::Place slow = actual;
-  if (!getenv("OWN")) {
-    slow.position.x() = course_.x();
-    slow.position.y() = course_.y();
-    slow.attitude = rotationZ(course_.heading() - heading()) * input_.attitude;
-  }
-  Vec6 velocity;
-  velocity << velocityNow();
+  slow.position.x() = course_.x();
+  slow.position.y() = course_.y();
+  slow.attitude = rotationZ(course_.heading() - heading()) * input_.attitude;
   const Vec3 way = rotationZ(course_.heading()) * Vec3(course_.speed(), course_.leeway(), 0.0);
-  wetted_->look(input_.time, actual, slow, velocity, {way.x(), way.y()});
+  wetted_->look(input_.time, actual, slow, velocityNow(), {way.x(), way.y()});
   input_.immersion = wetted_->immersion();
   const double beyond = 1.0 - std::clamp(input_.attitude(2, 2) / std::sqrt(0.5), 0.0, 1.0);
   input_.upright = 1.0 - beyond * beyond * (3.0 - 2.0 * beyond);

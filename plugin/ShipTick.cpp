@@ -127,6 +127,20 @@ Mat6 Ship::addedMassNow() const noexcept {
   return 0.5 * (A + A.transpose());
 }
 
+// What of a blow on a pitched hull is level: it is not applied. A bow comes in while it is down and
+// goes out while it is up, so that in waves the level parts of its blows would push the ship along.
+// Not more than the blow itself takes of the energy.
+Vec6 Ship::levelBlow() const noexcept {
+  Vec6 level = Vec6::Zero();
+  if (!free()) return level;
+  const Vec6& nu = input_.ownVelocityNow;
+  const Vec6 blow = wetted_->mass().came * nu - wetted_->mass().met;
+  const Vec3 up = input_.ownAxes.row(2);
+  level.head<3>() = blow.head<3>() - up.dot(blow.head<3>()) * up;
+  const double given = nu.dot(level), taken = 0.5 * nu.dot(blow);
+  return given > taken ? Vec6(taken / given * level) : level;
+}
+
 // What comes into the water is a blow, what leaves it takes its water's momentum along.
 void Ship::immerseAddedMass() const noexcept {
   if (!nonlinear() || !wetted_->massChanged()) return;
@@ -134,8 +148,8 @@ void Ship::immerseAddedMass() const noexcept {
   if (wetted_->beginsNow()) {
     added().setAddedMass(frame_.mass(change.now));
   } else {
-    added().change(
-        {frame_.mass(change.now), frame_.mass(change.left), frame_.momentum(change.met)});
+    const Vec6 met = change.met + levelBlow();
+    added().change({frame_.mass(change.now), frame_.mass(change.left), frame_.momentum(met)});
   }
 }
 

@@ -12,6 +12,7 @@ namespace {
 using Mat2 = Eigen::Matrix2d;
 using Vec2 = Eigen::Vector2d;
 
+constexpr double kWholeMean = 0.8;   // of all strips: the hull counts as immersed
 constexpr double kSameArm = 1e-6;    // of the arms' size: strips at one place
 constexpr double kSingular = 1e-12;  // of the larger eigenvalue
 
@@ -77,7 +78,7 @@ double ImmersedMass::mean(std::span<const double> shares) const noexcept {
     sum += weights_[i] * shares[i];
     all += weights_[i];
   }
-  return all > 0.0 ? std::min(1.0, sum / all) : 1.0;
+  return all > 0.0 ? std::min(1.0, sum / (kWholeMean * all)) : 1.0;
 }
 
 Mat6 ImmersedMass::at(std::span<const double> shares) const noexcept {
@@ -100,7 +101,10 @@ ImmersedMass::Change ImmersedMass::change(std::span<const double> before,
     change.now += now[i] * mass;
     const double gained = now[i] - before[i];
     if (gained < 0.0) change.left -= gained * mass;
-    if (gained > 0.0) change.met += gained * rise[i] * strip[Heave] * strip;
+    if (gained > 0.0) {
+      change.came += gained * mass;
+      change.met += gained * rise[i] * strip[Heave] * strip;
+    }
   }
   return change;
 }

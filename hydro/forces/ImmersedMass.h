@@ -24,7 +24,8 @@ class ImmersedMass {
                std::span<const double> arms);
 
   std::size_t strips() const noexcept { return weights_.size(); }
-  /// s̄ = Σ g_i s_i / Σ g_i.  @param shares  s_i.
+  /// s̄ = min(1, Σ g_i s_i / 0.8 Σ g_i): a bow that comes out now and then leaves it at 1, so that
+  /// in ordinary waves it does not change, and no force times it has a mean.  @param shares  s_i.
   double mean(std::span<const double> shares) const noexcept;
   Mat6 at(std::span<const double> shares) const noexcept;  ///< A(s)
 
@@ -32,6 +33,7 @@ class ImmersedMass {
   struct Change {
     Mat6 now = Mat6::Zero();   ///< A(s)
     Mat6 left = Mat6::Zero();  ///< of what came out meanwhile: its water goes its own way
+    Mat6 came = Mat6::Zero();  ///< of the strips that came in: heave, pitch and what follows them
     /// Momentum that the water had which came in, of the waves [kg·m/s, kg·m²/s].
     Vec6 met = Vec6::Zero();
   };

@@ -68,6 +68,7 @@ void WettedHull::findImmersion(double time) noexcept {
   if (!massChanged_) {
     change_.left.setZero();
     change_.met.setZero();
+    change_.came.setZero();
     return;
   }
   for (std::size_t i = 0; i < shares_.size(); ++i) {
@@ -141,7 +142,7 @@ void WettedHull::restore(std::span<const double> state) noexcept {
   std::copy_n(state.begin(), shares_.size(), shares_.begin());
   begun_ = state[shares_.size()] != 0.0;
   mean_ = hull_->mass().mean(shares_);
-  change_ = {hull_->mass().at(shares_), Mat6::Zero(), Vec6::Zero()};
+  change_ = {hull_->mass().at(shares_), Mat6::Zero(), Mat6::Zero(), Vec6::Zero()};
 }
 
 }  // namespace cutwater
