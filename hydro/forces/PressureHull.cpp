@@ -8,6 +8,8 @@
 
 #include "hydro/Errors.h"
 #include "hydro/geometry/wetted/PressureMesh.h"
+#include "hydro/geometry/wetted/SymmetricTriangles.h"
+#include "hydro/geometry/wetted/ThinnedHull.h"
 
 namespace cutwater {
 
@@ -67,6 +69,20 @@ std::vector<double> weightsOf(const std::vector<double>& beam) {
   return weights;
 }
 
+// Of the triangles that may be wet, r.m.s. over their area; of each the longest edge.
+double edgeOf(const SurfaceMesh& mesh) {
+  double square = 0.0, all = 0.0;
+  for (const Face& face : mesh.faces) {
+    const Vec3 &a = mesh.corner(face, 0), &b = mesh.corner(face, 1), &c = mesh.corner(face, 2);
+    if (std::min({a.z(), b.z(), c.z()}) > 0.0) continue;
+    const double area = 0.5 * (b - a).cross(c - a).norm();
+    square +=
+        area * std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    all += area;
+  }
+  return all > 0.0 ? std::sqrt(square / all) : 0.0;
+}
+
 }  // namespace
 
 bool hasClosedHull(const ShipParticulars& ship) {
@@ -94,15 +110,15 @@ PressureHull::Made PressureHull::make(const ShipParticulars& ship, const SeaStat
     throw HydroError(Fault::ValueOutOfRange,
                      fmt::format("hull_triangles = {}: at least {}", most, kFewestTriangles));
   Made made;
-  const Bounds size = bounds(ship.hull);
-  made.stations = stationsOf(size);
-  made.mesh = splitAt(evenTriangles(shared(ship.hull)), made.stations);
+  made.stations = stationsOf(bounds(ship.hull));
   const double k = waveNumberOf(sea);
-  if (k > 0.0) {
-    RefinedMesh fine = refined(made.mesh, edgeFor(kGoodError, k), most);
-    made.mesh = std::move(fine.mesh);
-    made.error = linearPressureError(fine.longestEdge, k);
-  }
+  // In waves half of the triangles for the shape, the others to make them short.
+  ThinnedHull thin = thinned(symmetricTriangles(shared(ship.hull)), k > 0.0 ? most / 2 : most);
+  made.distance = thin.distance;
+  const double strip = made.stations[1] - made.stations[0];
+  const double edge = k > 0.0 ? std::min(strip, edgeFor(kGoodError, k)) : strip;
+  made.mesh = refined(thin.mesh, edge, most).mesh;
+  if (k > 0.0) made.error = linearPressureError(edgeOf(made.mesh), k);
   return made;
 }
 

@@ -13,8 +13,8 @@ namespace cutwater {
 bool hasClosedHull(const ShipParticulars& ship);
 
 /// The closed hull that the water's pressure is integrated on, made from a ship's own for a sea:
-/// thinned to the triangles that it may have, divided at the ends of its strips, and refined to the
-/// waves. Made once for all ships of a database in a sea; immutable.
+/// thinned to the triangles that it may have, and then refined as far as they go until its edges are
+/// short against its strips and the waves. Made once for all ships of a database in a sea; immutable.
 class PressureHull {
  public:
   static constexpr std::size_t kStrips = 16;  ///< along the hull, equally long
