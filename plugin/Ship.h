@@ -368,7 +368,7 @@ class Ship {
   void startAgain() noexcept;
   void turnAddedMass(const Mat3& own) const noexcept;
   void immerseAddedMass() const noexcept;
-  Vec6 levelBlow() const noexcept;
+  Vec6 metMomentum() const noexcept;
   Mat6 addedMassNow() const noexcept;
   double mass() const noexcept;
   void findWetted() noexcept;

@@ -16,7 +16,6 @@ CUTWATER_PLUGIN_BEGIN
 
 namespace {
 
-constexpr double kHardly = 1e-9;           // of the hull's volume
 constexpr double kSetElsewhere = 0.25;     // of the length: further than a correction by hand
 constexpr double kTurnedAway = kPi / 6.0;  // [rad] likewise
 constexpr double kSameHeading = 0.1;       // [rad]: a fixed course keeps its heading
@@ -284,8 +283,8 @@ std::uint32_t Ship::lookForMoves() noexcept {
 // Wholly above the waves, or below them.
 bool Ship::outOfWater() const noexcept {
   if (nonlinear()) {
-    const double whole = pressureHull_->triangles().volume(), volume = wetted_->volume();
-    return !(volume > kHardly * whole) || volume >= (1.0 - kHardly) * whole;
+    const std::size_t wet = wetted_->wetVertices();
+    return wet == 0 || wet == pressureHull_->triangles().vertices();
   }
   const Hydrodynamics& hydro = hydrodynamics();
   const double above = input_.eta[Heave] - elevation_;  // G's calm place, over the waves

@@ -127,18 +127,22 @@ Mat6 Ship::addedMassNow() const noexcept {
   return 0.5 * (A + A.transpose());
 }
 
-// What of a blow on a pitched hull is level: it is not applied. A bow comes in while it is down and
-// goes out while it is up, so that in waves the level parts of its blows would push the ship along.
-// Not more than the blow itself takes of the energy.
-Vec6 Ship::levelBlow() const noexcept {
-  Vec6 level = Vec6::Zero();
-  if (!free()) return level;
-  const Vec6& nu = input_.ownVelocityNow;
-  const Vec6 blow = wetted_->mass().came * nu - wetted_->mass().met;
+// Momentum that came with the change. Of the waves' it is the upright part. Of what leaves a pitched
+// hull the ship keeps the level part: a bow comes in and goes out while it is up, in waves again and
+// again, and what was left behind each time would push the ship along. But no more than the energy
+// that leaves.
+Vec6 Ship::metMomentum() const noexcept {
+  const ImmersedMass::Change& change = wetted_->mass();
   const Vec3 up = input_.ownAxes.row(2);
-  level.head<3>() = blow.head<3>() - up.dot(blow.head<3>()) * up;
-  const double given = nu.dot(level), taken = 0.5 * nu.dot(blow);
-  return given > taken ? Vec6(taken / given * level) : level;
+  Vec6 met = change.met;
+  met.head<3>() = up.dot(met.head<3>()) * up;
+  if (!free()) return change.met;
+  const Vec6& nu = input_.ownVelocityNow;
+  const Vec6 leaves = change.gone * nu;
+  Vec6 level = Vec6::Zero();
+  level.head<3>() = leaves.head<3>() - up.dot(leaves.head<3>()) * up;
+  const double given = nu.dot(level), energy = 0.5 * nu.dot(leaves);
+  return met + (given > energy ? Vec6(energy / given * level) : level);
 }
 
 // What comes into the water is a blow, what leaves it takes its water's momentum along.
@@ -148,8 +152,8 @@ void Ship::immerseAddedMass() const noexcept {
   if (wetted_->beginsNow()) {
     added().setAddedMass(frame_.mass(change.now));
   } else {
-    const Vec6 met = change.met + levelBlow();
-    added().change({frame_.mass(change.now), frame_.mass(change.left), frame_.momentum(met)});
+    added().change(
+        {frame_.mass(change.now), frame_.mass(change.left), frame_.momentum(metMomentum())});
   }
 }
 

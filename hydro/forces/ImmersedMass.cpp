@@ -100,12 +100,10 @@ ImmersedMass::Change ImmersedMass::change(std::span<const double> before,
     const Mat6 mass = strip * strip.transpose();
     change.now += now[i] * mass;
     const double gained = now[i] - before[i];
-    if (gained < 0.0) change.left -= gained * mass;
-    if (gained > 0.0) {
-      change.came += gained * mass;
-      change.met += gained * rise[i] * strip[Heave] * strip;
-    }
+    if (gained < 0.0) change.gone -= gained * mass;
+    if (gained > 0.0) change.met += gained * rise[i] * strip[Heave] * strip;
   }
+  change.left += change.gone;
   return change;
 }
 

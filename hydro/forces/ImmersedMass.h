@@ -33,7 +33,7 @@ class ImmersedMass {
   struct Change {
     Mat6 now = Mat6::Zero();   ///< A(s)
     Mat6 left = Mat6::Zero();  ///< of what came out meanwhile: its water goes its own way
-    Mat6 came = Mat6::Zero();  ///< of the strips that came in: heave, pitch and what follows them
+    Mat6 gone = Mat6::Zero();  ///< of that what belongs to strips: heave, pitch, what follows them
     /// Momentum that the water had which came in, of the waves [kg·m/s, kg·m²/s].
     Vec6 met = Vec6::Zero();
   };

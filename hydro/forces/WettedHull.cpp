@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hydro/base/SimdMath.h"
+
 namespace cutwater {
 
 namespace {
@@ -26,7 +28,8 @@ WettedHull::WettedHull(std::shared_ptr<const PressureHull> hull,
       shares_(hull_->mass().strips(), 1.0),
       before_(shares_),
       rise_(shares_.size(), 0.0) {
-  for (auto* column : {&x_, &y_, &z_, &elevation_, &head_, &surfaceHead_, &along_, &across_})
+  for (auto* column : {&columns_.x, &columns_.y, &columns_.z, &columns_.elevation, &columns_.head,
+                       &columns_.surfaceHead})
     column->resize(hull_->triangles().points().size(), 0.0);
   weightX_.resize(tables_->sea().components().size(), 0.0);
   weightY_ = weightX_;
@@ -35,25 +38,43 @@ WettedHull::WettedHull(std::shared_ptr<const PressureHull> hull,
   for (const WaveComponent& wave : tables_->sea().components()) near_ += wave.amplitude;
 }
 
+// In double precision, four at a time: the pressure over thousands of vertices is a small
+// difference of large numbers.
+CUTWATER_VECTOR void WettedHull::placePoints(const WettedTriangles::Points& points, const Place& at,
+                                             Columns& columns) noexcept {
+  const Mat3& R = at.attitude;
+  const double xx = R(0, 0), xy = R(0, 1), xz = R(0, 2), yx = R(1, 0), yy = R(1, 1), yz = R(1, 2);
+  const double zx = R(2, 0), zy = R(2, 1), zz = R(2, 2), height = at.position.z();
+  for (std::size_t i = 0; i < points.size(); i += 4) {
+    const Double4 x = load4(&points.x[i]), y = load4(&points.y[i]), z = load4(&points.z[i]);
+    store4(&columns.x[i], xx * x + xy * y + xz * z);
+    store4(&columns.y[i], yx * x + yy * y + yz * z);
+    store4(&columns.z[i], zx * x + zy * y + zz * z + height);
+  }
+}
+
+CUTWATER_VECTOR void WettedHull::pressPoints(double gradient, const Columns& columns,
+                                             WettedTriangles::State& state) noexcept {
+  for (std::size_t i = 0; i < columns.x.size(); i += 4) {
+    const Double4 x = load4(&columns.x[i]), y = load4(&columns.y[i]), z = load4(&columns.z[i]);
+    const Double4 zeta = load4(&columns.elevation[i]);
+    store4(&state.depth[i], zeta - z);
+    store4(&state.pressure[i], gradient * (load4(&columns.head[i]) - z));
+    store4(&state.surfacePressure[i], gradient * (load4(&columns.surfaceHead[i]) - zeta));
+    store4(&state.onSurface[i], zeta * zeta);
+    const Double4 along = load4(&state.carried[0][i]), across = load4(&state.carried[1][i]);
+    store4(&state.carried[2][i], x * across - y * along);
+  }
+}
+
 void WettedHull::findWater(double time) noexcept {
-  const WettedTriangles::Points& points = hull_->triangles().points();
-  const Mat3& R = met_.attitude;
-  const std::size_t count = points.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const double x = points.x[i], y = points.y[i], z = points.z[i];
-    x_[i] = R(0, 0) * x + R(0, 1) * y + R(0, 2) * z;
-    y_[i] = R(1, 0) * x + R(1, 1) * y + R(1, 2) * z;
-    z_[i] = R(2, 0) * x + R(2, 1) * y + R(2, 2) * z + met_.position.z();
-  }
+  placePoints(hull_->triangles().points(), met_, columns_);
   if (!calm_)
-    water_.at(time, met_.position.x(), met_.position.y(), {x_, y_, z_}, near_,
-              {elevation_, head_, surfaceHead_, along_, across_});
-  const double gradient = density_ * gravity_;
-  for (std::size_t i = 0; i < count; ++i) {
-    state_.depth[i] = elevation_[i] - z_[i];
-    state_.pressure[i] = gradient * (head_[i] - z_[i]);
-    state_.surfacePressure[i] = gradient * (surfaceHead_[i] - elevation_[i]);
-  }
+    water_.at(time, met_.position.x(), met_.position.y(), {columns_.x, columns_.y, columns_.z},
+              near_,
+              {columns_.elevation, columns_.head, columns_.surfaceHead, state_.carried[0],
+               state_.carried[1]});
+  pressPoints(density_ * gravity_, columns_, state_);
 }
 
 // Of a strip that comes in: the water there may rise towards it.
@@ -68,7 +89,7 @@ void WettedHull::findImmersion(double time) noexcept {
   if (!massChanged_) {
     change_.left.setZero();
     change_.met.setZero();
-    change_.came.setZero();
+    change_.gone.setZero();
     return;
   }
   for (std::size_t i = 0; i < shares_.size(); ++i) {
@@ -107,30 +128,32 @@ void WettedHull::look(double time, const Place& actual, const Place& slow, const
                       const std::array<double, 2>& way) noexcept {
   actual_ = actual;
   met_ = slow;
+  measured_ = false;
   if (!calm_) weighWaves(way);
   findWater(time);
   const Vec3 up = met_.attitude.row(2);
-  if (calm_) {
-    hull_->triangles().cut(up, state_);
-  } else {
-    const Mat3 turn = met_.attitude * actual.attitude.transpose();
-    const Vec3 spin = turn * Vec3(velocity[Roll], velocity[Pitch], 0.0);
-    Vec6 motion;
-    motion << velocity[Heave] * up, met_.attitude.transpose() * spin;
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-      state_.onSurface[i] = elevation_[i] * elevation_[i];
-      state_.carried[i] = {along_[i], across_[i], x_[i] * across_[i] - y_[i] * along_[i]};
-    }
-    hull_->triangles().cut(up, motion, state_);
-  }
+  const Mat3 turn = met_.attitude * actual.attitude.transpose();
+  Vec6 motion;
+  motion << velocity[Heave] * up,
+      met_.attitude.transpose() * (turn * Vec3(velocity[Roll], velocity[Pitch], 0.0));
+  hull_->triangles().press(up, motion, state_);
   load_ << met_.attitude * state_.load.head<3>(), actual_.attitude * state_.load.tail<3>();
-  if (!calm_) {
-    const double half = 0.5 * density_ * gravity_ * fast_;
-    const Vec3 edge = met_.attitude * state_.edge.head<3>();
-    load_.head<2>() += density_ * state_.flow.head<2>() - half * edge.head<2>();
-    load_[Yaw] += density_ * state_.flow[2] - half * up.dot(state_.edge.tail<3>());
-  }
+  if (!calm_) takeMeanOff(up);
   if (scaled_) findImmersion(time);
+}
+
+// Level force and turning moment as the rate of the undisturbed water's momentum within the hull.
+void WettedHull::takeMeanOff(const Vec3& up) noexcept {
+  const double half = 0.5 * density_ * gravity_ * fast_;
+  const Vec3 edge = met_.attitude * state_.edge.head<3>();
+  load_.head<2>() += density_ * state_.flow.head<2>() - half * edge.head<2>();
+  load_[Yaw] += density_ * state_.flow[2] - half * up.dot(state_.edge.tail<3>());
+}
+
+const WettedTriangles::State& WettedHull::measured() noexcept {
+  if (!measured_) hull_->triangles().measure(met_.attitude.row(2), state_);
+  measured_ = true;
+  return state_;
 }
 
 void WettedHull::save(std::span<double> state) const noexcept {

@@ -40,10 +40,12 @@ class WettedHull {
   const PressureHull& hull() const noexcept { return *hull_; }
   /// −∫p n dS in E [N], and its moment about G in E [N·m].
   const Vec6& load() const noexcept { return load_; }
-  double area() const noexcept { return state_.area; }      ///< wetted [m²]
-  double volume() const noexcept { return state_.volume; }  ///< submerged [m³]
+  double area() noexcept { return measured().area; }      ///< wetted [m²]
+  double volume() noexcept { return measured().volume; }  ///< submerged [m³]
   /// Of that volume, in E [m].
-  Vec3 centre() const noexcept { return inEarth(state_.centre); }
+  Vec3 centre() noexcept { return inEarth(measured().centre); }
+  /// How many vertices are wet: none of a hull that flies, all of one that is under water.
+  std::size_t wetVertices() const noexcept { return state_.wetVertices; }
   /// Pieces of the waterline, from G in hull axes [m].
   const std::vector<std::pair<Vec3, Vec3>>& waterline() const noexcept { return state_.waterline; }
 
@@ -68,6 +70,16 @@ class WettedHull {
   void restore(std::span<const double> state) noexcept;
 
  private:
+  /// Vertices in E: x and y from the slow place, z above calm water; and the water there.
+  struct Columns {
+    std::vector<double> x, y, z, elevation, head, surfaceHead;
+  };
+  static void placePoints(const WettedTriangles::Points& points, const Place& at,
+                          Columns& columns) noexcept;
+  static void pressPoints(double gradient, const Columns& columns,
+                          WettedTriangles::State& state) noexcept;
+  void takeMeanOff(const Vec3& up) noexcept;
+  const WettedTriangles::State& measured() noexcept;
   void weighWaves(const std::array<double, 2>& way) noexcept;
   void findWater(double time) noexcept;
   void findImmersion(double time) noexcept;
@@ -76,12 +88,12 @@ class WettedHull {
   std::shared_ptr<const SeaTables> tables_;  // keeps the sea
   WaterPressure water_;
   double density_, gravity_;
-  bool scaled_, calm_;
+  bool scaled_, calm_, measured_ = false;
   double slow_;        // ω₀ of FreeResponse::share
   double fast_ = 0.0;  // share of the sea's energy that is met fast
   double near_ = 0.0;  // depth of the deepest vertex of which an edge may be cut [m]
   WettedTriangles::State state_;
-  std::vector<double> x_, y_, z_, elevation_, head_, surfaceHead_, along_, across_;
+  Columns columns_;
   std::vector<double> weightX_, weightY_;  // of each wave, for the flow along x and y of E
   Place actual_, met_;
   Vec6 load_ = Vec6::Zero();

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "hydro/Errors.h"
+#include "hydro/base/SimdMath.h"
 #include "hydro/geometry/PlaceText.h"
 
 namespace cutwater {
@@ -33,49 +34,41 @@ std::size_t stripOf(double x, const std::vector<double>& stations) {
 
 }  // namespace
 
-// Over a triangle of vector area N and corners r_i, with P = Σp_i, D = Σd_i:
-//   ∫p dS = S P/3,   ∫p r dS = S (P Σr + Σ p_i r_i)/12,   ∫d² dS = S (D² + Σd_i²)/12
-// With e the vertical, V = −∫d e·n dS, as the divergence of d e is −1 and d is 0 in the surface;
-// likewise ∫r dV = −∫(r d + ½d² e) e·n dS.
-// With q_i = V_i·N and f linear, ∫f (V·n) dS = (Σq Σf + Σ q_i f_i)/12.
-template <bool moving>
-struct WettedTriangles::Sums {
-  Vec3 up;
-  Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero(), flow = Vec3::Zero();
-  Vec3 edge = Vec3::Zero(), edgeMoment = Vec3::Zero();
-  Vec3 force = Vec3::Zero(), moment = Vec3::Zero(), first = Vec3::Zero();
+// Over a triangle of vector area N and corners r_i, with P = Σp_i:
+//   ∫p dS = S P/3,   ∫p r dS = S (P Σr + Σ p_i r_i)/12
+// and with q_i = V_i·N and f linear, ∫f (V·n) dS = (Σq Σf + Σ q_i f_i)/12.
+struct WettedTriangles::Loads {
+  Vec3 velocity, spin;
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero(), flow = Vec3::Zero();
+
+  void add(const Corner (&c)[3], const Vec3 (&f)[3], const Vec3& N) noexcept {
+    const double P = c[0].pressure + c[1].pressure + c[2].pressure;
+    const Vec3 r = c[0].r + c[1].r + c[2].r;
+    force -= (P / 3.0) * N;
+    moment -= ((1.0 / 12.0) *
+               (P * r + c[0].pressure * c[0].r + c[1].pressure * c[1].r + c[2].pressure * c[2].r))
+                  .cross(N);
+    const double through = velocity.dot(N);
+    const Vec3 turning = N.cross(spin);  // (Ω × r)·N = r·(N × Ω)
+    const double q[3] = {through + turning.dot(c[0].r), through + turning.dot(c[1].r),
+                         through + turning.dot(c[2].r)};
+    flow += (1.0 / 12.0) *
+            ((q[0] + q[1] + q[2]) * (f[0] + f[1] + f[2]) + q[0] * f[0] + q[1] * f[1] + q[2] * f[2]);
+  }
+};
+
+// With e the vertical and D = Σd_i, V = −∫d e·n dS, as the divergence of d e is −1 and d is 0 in the
+// surface; likewise ∫r dV = −∫(r d + ½d² e) e·n dS.   ∫d² dS = S (D² + Σd_i²)/12
+struct WettedTriangles::Measures {
+  Vec3 first = Vec3::Zero();
   double area = 0.0, volume = 0.0, second = 0.0;
 
-  void add(const Corner& a, const Corner& b, const Corner& c, const Vec3& N, double down) noexcept {
+  void add(const Corner& a, const Corner& b, const Corner& c, double down) noexcept {
     const Vec3 r = a.r + b.r + c.r;
-    const double P = a.pressure + b.pressure + c.pressure;
-    const double D = a.depth + b.depth + c.depth;
-    force -= (P / 3.0) * N;
-    moment -=
-        ((1.0 / 12.0) * (P * r + a.pressure * a.r + b.pressure * b.r + c.pressure * c.r)).cross(N);
+    const double D = a.depth + b.depth + c.depth, share = down / 12.0;
     volume += down * D / 3.0;
-    const double share = down / 12.0;
     first += share * (D * r + a.depth * a.r + b.depth * b.r + c.depth * c.r);
     second += share * (D * D + a.depth * a.depth + b.depth * b.depth + c.depth * c.depth);
-    if constexpr (moving) addFlow(a, b, c, N);
-  }
-  // ν dl is the piece turned by a quarter about the vertical, away from the hull.
-  void addEdge(const Corner& a, const Corner& b, const Vec3& N) noexcept {
-    Vec3 out = (b.r - a.r).cross(up);
-    if (out.dot(N) < 0.0) out = -out;
-    const double g = 0.5 * (a.onSurface + b.onSurface);
-    const double turn = (b.onSurface - a.onSurface) / 12.0;
-    edge += g * out;
-    edgeMoment += (0.5 * g * (a.r + b.r) + turn * (b.r - a.r)).cross(out);
-  }
-  // (Ω × r)·N = r·(N × Ω)
-  void addFlow(const Corner& a, const Corner& b, const Corner& c, const Vec3& N) noexcept {
-    const double through = velocity.dot(N);
-    const Vec3 turning = N.cross(spin);
-    const double qa = through + turning.dot(a.r), qb = through + turning.dot(b.r),
-                 qc = through + turning.dot(c.r);
-    flow += (1.0 / 12.0) * ((qa + qb + qc) * (a.carried + b.carried + c.carried) + qa * a.carried +
-                            qb * b.carried + qc * c.carried);
   }
 };
 
@@ -83,9 +76,9 @@ WettedTriangles::State::State(const WettedTriangles& hull)
     : depth(hull.points().size(), 0.0),
       pressure(hull.points().size(), 0.0),
       surfacePressure(hull.points().size(), 0.0),
-      carried(hull.points().size(), Vec3::Zero()),
       onSurface(hull.points().size(), 0.0),
       beamArea(hull.strips(), 0.0) {
+  for (std::vector<double>& f : carried) f.resize(hull.points().size(), 0.0);
   waterline.reserve(hull.triangles());
 }
 
@@ -117,87 +110,193 @@ WettedTriangles::WettedTriangles(const SurfaceMesh& hull, const Vec3& origin,
     points_.y.push_back(p.y());
     points_.z.push_back(p.z());
   }
+  findWeights();
 }
 
-template <bool moving>
+// A triangle gives each of its vertices N/3 and (Σr + r_i)/12 × N.
+void WettedTriangles::findWeights() {
+  for (auto* columns : {&weights_.force, &weights_.moment}) {
+    for (std::vector<double>& column : *columns) column.resize(points_.size(), 0.0);
+  }
+  for (const Triangle& t : triangles_) {
+    for (const int v : t.v) {
+      const Vec3 moment = momentWeight(t, v);
+      for (std::size_t k = 0; k < 3; ++k) {
+        weights_.force[k][static_cast<std::size_t>(v)] += t.area[static_cast<int>(k)] / 3.0;
+        weights_.moment[k][static_cast<std::size_t>(v)] += moment[static_cast<int>(k)];
+      }
+    }
+  }
+}
+
+Vec3 WettedTriangles::momentWeight(const Triangle& t, int vertex) const noexcept {
+  const auto at = [this](int v) -> const Vec3& { return places_[static_cast<std::size_t>(v)]; };
+  return ((1.0 / 12.0) * (at(t.v[0]) + at(t.v[1]) + at(t.v[2]) + at(vertex))).cross(t.area);
+}
+
 WettedTriangles::Corner WettedTriangles::corner(const State& state, int vertex) const noexcept {
   const auto i = static_cast<std::size_t>(vertex);
-  if constexpr (!moving) return {places_[i], state.depth[i], state.pressure[i], {}, 0.0};
-  return {places_[i], state.depth[i], state.pressure[i], state.carried[i], 0.0};
+  return {places_[i], state.depth[i], state.pressure[i]};
+}
+
+Vec3 WettedTriangles::carriedAt(const State& state, int vertex) noexcept {
+  const auto i = static_cast<std::size_t>(vertex);
+  return {state.carried[0][i], state.carried[1][i], state.carried[2][i]};
 }
 
 // Where the surface cuts an edge, always found from its wet end: both triangles of the edge have
 // the same bits.
-template <bool moving>
-WettedTriangles::Corner WettedTriangles::crossing(const State& state, int wet,
-                                                  int dry) const noexcept {
+WettedTriangles::Crossing WettedTriangles::crossing(const State& state, int wet,
+                                                    int dry) const noexcept {
   const auto i = static_cast<std::size_t>(wet), j = static_cast<std::size_t>(dry);
   const double t = state.depth[i] / (state.depth[i] - state.depth[j]);
-  const double pressure =
-      state.surfacePressure[i] + t * (state.surfacePressure[j] - state.surfacePressure[i]);
-  const Vec3 at = places_[i] + t * (places_[j] - places_[i]);
-  if constexpr (!moving) return {at, 0.0, pressure, {}, 0.0};
-  return {at, 0.0, pressure, state.carried[i] + t * (state.carried[j] - state.carried[i]),
-          state.onSurface[i] + t * (state.onSurface[j] - state.onSurface[i])};
+  const auto between = [&](const std::vector<double>& f) { return f[i] + t * (f[j] - f[i]); };
+  return {{places_[i] + t * (places_[j] - places_[i]), 0.0, between(state.surfacePressure)},
+          wet,
+          dry,
+          t};
 }
 
-// Corner a is the one that is alone on its side; of the triangle's area its piece has the share
+// Of the triangle's area the piece at a corner that is alone on its side has the share
 // (ab/AB)(ac/AC).
-template <bool moving>
-void WettedTriangles::cutOne(const Triangle& triangle, int wet, State& state,
-                             Sums<moving>& sums) const noexcept {
+WettedTriangles::Piece WettedTriangles::pieceOf(const Triangle& triangle, int wet,
+                                                const State& state) const noexcept {
+  const bool aloneIsWet = wet == 1;
   const auto isWet = [&](std::size_t k) {
     return state.depth[static_cast<std::size_t>(triangle.v[k])] > 0.0;
   };
-  const bool aloneIsWet = wet == 1;
   std::size_t alone = 0;
   while (alone < 2 && isWet(alone) != aloneIsWet) ++alone;
   const int a = triangle.v[alone], b = triangle.v[(alone + 1) % 3], c = triangle.v[(alone + 2) % 3];
-  const auto part = [&](int from, int to) {
-    const double d = state.depth[static_cast<std::size_t>(from)];
-    return d / (d - state.depth[static_cast<std::size_t>(to)]);
-  };
-  const double toB = part(a, b), toC = part(a, c);
-  const Corner ab = aloneIsWet ? crossing<moving>(state, a, b) : crossing<moving>(state, b, a);
-  const Corner ac = aloneIsWet ? crossing<moving>(state, a, c) : crossing<moving>(state, c, a);
-  const double down = -triangle.area.dot(sums.up);
-  const double share = aloneIsWet ? toB * toC : 1.0 - toB * toC;
   if (aloneIsWet) {
-    sums.add(corner<moving>(state, a), ab, ac, share * triangle.area, share * down);
-  } else {
-    const Corner atB = corner<moving>(state, b), atC = corner<moving>(state, c);
-    const double first = 1.0 - toB, second = toB * (1.0 - toC);
-    sums.add(ab, atB, atC, first * triangle.area, first * down);
-    sums.add(ab, atC, ac, second * triangle.area, second * down);
+    const Crossing ab = crossing(state, a, b), ac = crossing(state, a, c);
+    return {ab, ac, {a, -1}, ab.part * ac.part, 0.0};
   }
-  sums.area += share * triangle.size;
-  state.beamArea[static_cast<std::size_t>(triangle.strip)] += std::max(0.0, share * down);
-  state.waterline.emplace_back(ab.r, ac.r);
-  if constexpr (moving) sums.addEdge(ab, ac, triangle.area);
+  const Crossing ab = crossing(state, b, a), ac = crossing(state, c, a);
+  const double toB = 1.0 - ab.part, toC = 1.0 - ac.part;
+  return {ab, ac, {b, c}, 1.0 - toB, toB * (1.0 - toC)};
 }
 
-template <bool moving>
-void WettedTriangles::cutAll(const Vec3& up, const Vec6& motion, State& state) const noexcept {
-  Sums<moving> sums{up, motion.head<3>(), motion.tail<3>()};
+// Loads are linear in p: a triangle that is wet at all corners is in the sum over its vertices. Of
+// one that is cut, what is in that sum is taken off again, and its piece put in.
+void WettedTriangles::exchange(const Triangle& t, const Piece& piece, State& state,
+                               Loads& loads) const noexcept {
+  for (const int v : piece.wet) {
+    if (v < 0) continue;
+    const auto i = static_cast<std::size_t>(v);
+    const Vec3 moment = momentWeight(t, v);
+    loads.force += (state.pressure[i] / 3.0) * t.area;
+    loads.moment += state.pressure[i] * moment;
+    loads.flow -= (loads.velocity.dot(t.area) / 3.0 + loads.spin.dot(moment)) * carriedAt(state, v);
+  }
+  const auto carried = [&](const Crossing& at) {
+    const Vec3 wet = carriedAt(state, at.wet);
+    return Vec3(wet + at.part * (carriedAt(state, at.dry) - wet));
+  };
+  const Vec3 fb = carried(piece.ab), fc = carried(piece.ac);
+  const Corner first = corner(state, piece.wet[0]);
+  const Vec3 f0 = carriedAt(state, piece.wet[0]);
+  if (piece.wet[1] < 0) {
+    loads.add({first, piece.ab.at, piece.ac.at}, {f0, fb, fc}, piece.first * t.area);
+  } else {
+    const Corner second = corner(state, piece.wet[1]);
+    const Vec3 f1 = carriedAt(state, piece.wet[1]);
+    loads.add({piece.ab.at, first, second}, {fb, f0, f1}, piece.first * t.area);
+    loads.add({piece.ab.at, second, piece.ac.at}, {fb, f1, fc}, piece.second * t.area);
+  }
+}
+
+// ν dl is the piece of waterline turned by a quarter about the vertical, away from the hull.
+void WettedTriangles::addEdge(const Vec3& up, const Piece& piece, const Vec3& N,
+                              State& state) const noexcept {
+  const Vec3 &a = piece.ab.at.r, &b = piece.ac.at.r;
+  state.waterline.emplace_back(a, b);
+  const auto onSurface = [&](const Crossing& at) {
+    const auto i = static_cast<std::size_t>(at.wet), j = static_cast<std::size_t>(at.dry);
+    return state.onSurface[i] + at.part * (state.onSurface[j] - state.onSurface[i]);
+  };
+  Vec3 out = (b - a).cross(up);
+  if (out.dot(N) < 0.0) out = -out;
+  const double ga = onSurface(piece.ab), gb = onSurface(piece.ac), g = 0.5 * (ga + gb);
+  state.edge.head<3>() += g * out;
+  state.edge.tail<3>() += (0.5 * g * (a + b) + (gb - ga) / 12.0 * (b - a)).cross(out);
+}
+
+CUTWATER_VECTOR void WettedTriangles::sumOverVertices(const Weights& weights, const State& state,
+                                                      const Vec6& motion, double* sums) noexcept {
+  Double4 force[3] = {}, moment[3] = {}, flow[3] = {};
+  const std::size_t count = state.depth.size();
+  for (std::size_t i = 0; i < count; i += 4) {
+    const Double4 depth = load4(&state.depth[i]), none = {};
+    const Double4 pressure = depth > none ? load4(&state.pressure[i]) : none;
+    Double4 through = {};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Double4 N = load4(&weights.force[k][i]), M = load4(&weights.moment[k][i]);
+      force[k] -= pressure * N;
+      moment[k] -= pressure * M;
+      through += motion[static_cast<int>(k)] * N + motion[static_cast<int>(k) + 3] * M;
+    }
+    through = depth > none ? through : none;
+    for (std::size_t k = 0; k < 3; ++k) flow[k] += through * load4(&state.carried[k][i]);
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    sums[k] = sumOf(force[k]);
+    sums[3 + k] = sumOf(moment[k]);
+    sums[6 + k] = sumOf(flow[k]);
+  }
+}
+
+void WettedTriangles::press(const Vec3& up, const Vec6& motion, State& state) const noexcept {
   std::fill(state.beamArea.begin(), state.beamArea.end(), 0.0);
   state.waterline.clear();
+  state.edge.setZero();
+  double sums[9];
+  sumOverVertices(weights_, state, motion, sums);
+  Loads loads{motion.head<3>(), motion.tail<3>()};
   const double* depth = state.depth.data();
   for (const Triangle& t : triangles_) {
     const int wet = (depth[t.v[0]] > 0.0) + (depth[t.v[1]] > 0.0) + (depth[t.v[2]] > 0.0);
     if (wet == 0) continue;
+    double share = 1.0;
     if (wet < 3) {
-      cutOne(t, wet, state, sums);
+      const Piece piece = pieceOf(t, wet, state);
+      share = piece.first + piece.second;
+      exchange(t, piece, state, loads);
+      addEdge(up, piece, t.area, state);
+    }
+    state.beamArea[static_cast<std::size_t>(t.strip)] += std::max(0.0, -share * t.area.dot(up));
+  }
+  state.load << loads.force + Vec3(sums[0], sums[1], sums[2]),
+      loads.moment + Vec3(sums[3], sums[4], sums[5]);
+  state.flow = loads.flow + Vec3(sums[6], sums[7], sums[8]);
+  state.wetVertices = static_cast<std::size_t>(std::count_if(
+      state.depth.begin(), state.depth.begin() + static_cast<std::ptrdiff_t>(vertices_),
+      [](double d) { return d > 0.0; }));
+}
+
+void WettedTriangles::measure(const Vec3& up, State& state) const noexcept {
+  Measures sums;
+  const double* depth = state.depth.data();
+  for (const Triangle& t : triangles_) {
+    const int wet = (depth[t.v[0]] > 0.0) + (depth[t.v[1]] > 0.0) + (depth[t.v[2]] > 0.0);
+    if (wet == 0) continue;
+    const double down = -t.area.dot(up);
+    if (wet == 3) {
+      sums.add(corner(state, t.v[0]), corner(state, t.v[1]), corner(state, t.v[2]), down);
+      sums.area += t.size;
       continue;
     }
-    const double down = -t.area.dot(up);
-    sums.add(corner<moving>(state, t.v[0]), corner<moving>(state, t.v[1]),
-             corner<moving>(state, t.v[2]), t.area, down);
-    sums.area += t.size;
-    state.beamArea[static_cast<std::size_t>(t.strip)] += std::max(0.0, down);
+    const Piece piece = pieceOf(t, wet, state);
+    sums.area += (piece.first + piece.second) * t.size;
+    const Corner first = corner(state, piece.wet[0]);
+    if (piece.wet[1] < 0) {
+      sums.add(first, piece.ab.at, piece.ac.at, piece.first * down);
+    } else {
+      const Corner second = corner(state, piece.wet[1]);
+      sums.add(piece.ab.at, first, second, piece.first * down);
+      sums.add(piece.ab.at, second, piece.ac.at, piece.second * down);
+    }
   }
-  state.load << sums.force, sums.moment;
-  state.flow = sums.flow;
-  state.edge << sums.edge, sums.edgeMoment;
   state.area = sums.area;
   state.volume = sums.volume;
   state.centre =
@@ -205,11 +304,8 @@ void WettedTriangles::cutAll(const Vec3& up, const Vec6& motion, State& state) c
 }
 
 void WettedTriangles::cut(const Vec3& up, State& state) const noexcept {
-  cutAll<false>(up, Vec6::Zero(), state);
-}
-
-void WettedTriangles::cut(const Vec3& up, const Vec6& motion, State& state) const noexcept {
-  cutAll<true>(up, motion, state);
+  press(up, Vec6::Zero(), state);
+  measure(up, state);
 }
 
 }  // namespace cutwater

@@ -53,28 +53,31 @@ class WettedTriangles {
     std::vector<double> pressure;  ///< [Pa], where depth > 0
     /// [Pa] in the surface above or below the vertex, where an edge of it is cut; 0 in still water.
     std::vector<double> surfacePressure;
-    /// Of a hull that moves: three quantities f of the water at the vertex, and one, g, in the
-    /// surface above or below it.
-    std::vector<Vec3> carried;
+    /// Three quantities f of the water at the vertex, and one, g, in the surface above or below it;
+    /// 0 where nobody asks for `flow` and `edge`.
+    std::array<std::vector<double>, 3> carried;
     std::vector<double> onSurface;
-    // Out.
-    Vec6 load = Vec6::Zero();    ///< [N, N·m]
-    double area = 0.0;           ///< wetted [m²]
-    double volume = 0.0;         ///< submerged [m³]
-    Vec3 centre = Vec3::Zero();  ///< of that volume [m]; 0 where there is none
-    Vec3 flow = Vec3::Zero();    ///< ∫f (V·n) dS, of a hull that moves
-    /// ∮g ν dl along the waterline and its moment, ν outwards, level and of unit length.
-    Vec6 edge = Vec6::Zero();
+    // Out, of press().
+    Vec6 load = Vec6::Zero();  ///< [N, N·m]
+    Vec3 flow = Vec3::Zero();  ///< ∫f (V·n) dS with the hull's velocity V
+    Vec6 edge = Vec6::Zero();  ///< ∮g ν dl along the waterline, ν outwards, level; its moment
     std::vector<double> beamArea;  ///< wetted area that faces down, seen from above [m²], by strip
     /// Pieces of the waterline [m], in no order. Never more than one a triangle.
     std::vector<std::pair<Vec3, Vec3>> waterline;
+    std::size_t wetVertices = 0;
+    // Out, of measure().
+    double area = 0.0;           ///< wetted [m²]
+    double volume = 0.0;         ///< submerged [m³]
+    Vec3 centre = Vec3::Zero();  ///< of that volume [m]; 0 where there is none
   };
-  /// Allocates nothing; some ten microseconds for 2000 triangles.
+  /// The load, and what comes with it. Allocates nothing; some microseconds for 2000 triangles.
   /// @param up  the vertical in hull axes, a unit vector.
+  /// @param motion  of the hull, V = v + Ω × r: v [m/s], Ω [rad/s] in hull axes.
+  void press(const Vec3& up, const Vec6& motion, State& state) const noexcept;
+  /// Area, volume and centre.
+  void measure(const Vec3& up, State& state) const noexcept;
+  /// Both, of a hull that does not move.
   void cut(const Vec3& up, State& state) const noexcept;
-  /// The same, and `flow` and `edge` with the hull's velocity V = v + Ω × r.
-  /// @param motion  v [m/s], Ω [rad/s] in hull axes.
-  void cut(const Vec3& up, const Vec6& motion, State& state) const noexcept;
 
  private:
   struct Triangle {
@@ -86,23 +89,41 @@ class WettedTriangles {
   struct Corner {
     Vec3 r;
     double depth, pressure;
-    Vec3 carried;
-    double onSurface;
   };
-  template <bool moving>
-  struct Sums;
-  template <bool moving>
+  /// Where the surface cuts an edge.
+  struct Crossing {
+    Corner at;
+    int wet, dry;  // its ends
+    double part;   // of the way from the wet one
+  };
+  /// What is wet of a triangle that is cut: one corner and both cuts, or two corners (the first at
+  /// ab) and both cuts, which are two triangles ab, first, second and ab, second, ac.
+  struct Piece {
+    Crossing ab, ac;
+    std::array<int, 2> wet;  // vertices; the second −1: there is none
+    double first, second;    // shares of the whole triangle
+  };
+  struct Loads;
+  struct Measures;
+  /// What each vertex has of ∫φ n dS and ∫φ r × n dS, φ its linear shape function.
+  struct Weights {
+    std::array<std::vector<double>, 3> force, moment;
+  };
+  void findWeights();
+  Vec3 momentWeight(const Triangle& t, int vertex) const noexcept;
+  static void sumOverVertices(const Weights& weights, const State& state, const Vec6& motion,
+                              double* sums) noexcept;
   Corner corner(const State& state, int vertex) const noexcept;
-  template <bool moving>
-  Corner crossing(const State& state, int wet, int dry) const noexcept;
-  template <bool moving>
-  void cutOne(const Triangle& triangle, int wet, State& state, Sums<moving>& sums) const noexcept;
-  template <bool moving>
-  void cutAll(const Vec3& up, const Vec6& motion, State& state) const noexcept;
+  static Vec3 carriedAt(const State& state, int vertex) noexcept;
+  Crossing crossing(const State& state, int wet, int dry) const noexcept;
+  Piece pieceOf(const Triangle& triangle, int wet, const State& state) const noexcept;
+  void exchange(const Triangle& t, const Piece& piece, State& state, Loads& loads) const noexcept;
+  void addEdge(const Vec3& up, const Piece& piece, const Vec3& N, State& state) const noexcept;
 
   Points points_;
   std::vector<Vec3> places_;
   std::vector<Triangle> triangles_;
+  Weights weights_;
   std::size_t vertices_ = 0, strips_ = 1;
   double longestEdge_ = 0.0, volume_ = 0.0;
 };
