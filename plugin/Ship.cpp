@@ -126,9 +126,8 @@ void Ship::makeWetted(const ShipModel& model) {
       model.mode.value_or(usual ? HullPressure::Nonlinear : HullPressure::Linear);
   if (mode == HullPressure::Linear) return;
   pressureHull_ = tables_->pressureHull(static_cast<std::size_t>(model.hullTriangles));
-  const ShipParticulars& ship = coefficients().ship;
-  wetted_ = std::make_shared<WettedHull>(pressureHull_, tables_, length(), ship.density,
-                                         ship.gravity, model.immersion == Immersion::Scaled);
+  wetted_ =
+      std::make_shared<WettedHull>(pressureHull_, tables_, model.immersion == Immersion::Scaled);
 }
 
 TurningLimits Ship::turningLimits() const noexcept { return {fastest_, 0.5 * length()}; }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hydro/base/SimdMath.h"
+#include "hydro/forces/Hydrodynamics.h"
 
 namespace cutwater {
 
@@ -14,16 +15,15 @@ constexpr double kNoShare = 1e-9;
 }  // namespace
 
 WettedHull::WettedHull(std::shared_ptr<const PressureHull> hull,
-                       std::shared_ptr<const SeaTables> tables, double length, double density,
-                       double gravity, bool scaled)
+                       std::shared_ptr<const SeaTables> tables, bool scaled)
     : hull_(std::move(hull)),
       tables_(std::move(tables)),
       water_(tables_->sea()),
-      density_(density),
-      gravity_(gravity),
+      density_(tables_->hydrodynamics()->ship().density),
+      gravity_(tables_->hydrodynamics()->ship().gravity),
       scaled_(scaled),
       calm_(tables_->sea().components().empty()),
-      slow_(0.53 * std::sqrt(gravity / length)),
+      slow_(0.53 * std::sqrt(gravity_ / tables_->hydrodynamics()->length())),
       state_(hull_->triangles()),
       shares_(hull_->mass().strips(), 1.0),
       before_(shares_),
@@ -32,7 +32,7 @@ WettedHull::WettedHull(std::shared_ptr<const PressureHull> hull,
                        &columns_.surfaceHead})
     column->resize(hull_->triangles().points().size(), 0.0);
   weightX_.resize(tables_->sea().components().size(), 0.0);
-  weightY_ = weightX_;
+  weightY_ = meets_ = weightX_;
   change_.now = hull_->mass().at(shares_);
   near_ = hull_->triangles().longestEdge();
   for (const WaveComponent& wave : tables_->sea().components()) near_ += wave.amplitude;
@@ -61,7 +61,7 @@ CUTWATER_VECTOR void WettedHull::pressPoints(double gradient, const Columns& col
     store4(&state.depth[i], zeta - z);
     store4(&state.pressure[i], gradient * (load4(&columns.head[i]) - z));
     store4(&state.surfacePressure[i], gradient * (load4(&columns.surfaceHead[i]) - zeta));
-    store4(&state.onSurface[i], zeta * zeta);
+    store4(&state.onSurface[i], zeta);
     const Double4 along = load4(&state.carried[0][i]), across = load4(&state.carried[1][i]);
     store4(&state.carried[2][i], x * across - y * along);
   }
@@ -73,7 +73,7 @@ void WettedHull::findWater(double time) noexcept {
     water_.at(time, met_.position.x(), met_.position.y(), {columns_.x, columns_.y, columns_.z},
               near_,
               {columns_.elevation, columns_.head, columns_.surfaceHead, state_.carried[0],
-               state_.carried[1]});
+               state_.carried[1], state_.rise});
   pressPoints(density_ * gravity_, columns_, state_);
 }
 
@@ -104,7 +104,6 @@ void WettedHull::findImmersion(double time) noexcept {
 // frame, is ω/ω′ times that.
 void WettedHull::weighWaves(const std::array<double, 2>& way) noexcept {
   const auto& waves = tables_->sea().components();
-  double fast = 0.0, all = 0.0;
   for (std::size_t i = 0; i < waves.size(); ++i) {
     const double cosine = std::cos(waves[i].heading), sine = std::sin(waves[i].heading);
     const double omega = waves[i].omega;
@@ -112,14 +111,11 @@ void WettedHull::weighWaves(const std::array<double, 2>& way) noexcept {
     const double square = met * met, slow = slow_ * slow_;
     const double share = square * square / (square * square + slow * slow);
     const double factor = share > kNoShare ? share * omega * omega / met : 0.0;
-    const double energy = waves[i].amplitude * waves[i].amplitude;
-    fast += share * energy;
-    all += energy;
+    meets_[i] = met;
     weightX_[i] = factor * cosine;
     weightY_[i] = -factor * sine;
   }
-  fast_ = all > 0.0 ? fast / all : 0.0;
-  water_.weigh(weightX_, weightY_);
+  water_.weigh(weightX_, weightY_, meets_);
 }
 
 // The force stays in the axes of the slow heading, as that of linear waves does; the moment turns
@@ -138,16 +134,16 @@ void WettedHull::look(double time, const Place& actual, const Place& slow, const
       met_.attitude.transpose() * (turn * Vec3(velocity[Roll], velocity[Pitch], 0.0));
   hull_->triangles().press(up, motion, state_);
   load_ << met_.attitude * state_.load.head<3>(), actual_.attitude * state_.load.tail<3>();
-  if (!calm_) takeMeanOff(up);
+  if (!calm_) takeMeanOff();
   if (scaled_) findImmersion(time);
 }
 
-// Level force and turning moment as the rate of the undisturbed water's momentum within the hull.
-void WettedHull::takeMeanOff(const Vec3& up) noexcept {
-  const double half = 0.5 * density_ * gravity_ * fast_;
-  const Vec3 edge = met_.attitude * state_.edge.head<3>();
-  load_.head<2>() += density_ * state_.flow.head<2>() - half * edge.head<2>();
-  load_[Yaw] += density_ * state_.flow[2] - half * up.dot(state_.edge.tail<3>());
+// Level force and turning moment as the rate of the undisturbed water's momentum within the hull:
+// its flow through the hull that moves, and what of it is in the crest that the waterline sweeps.
+void WettedHull::takeMeanOff() noexcept {
+  const Vec3 rate = density_ * (state_.flow - 0.5 * state_.edge);
+  load_.head<2>() += rate.head<2>();
+  load_[Yaw] += rate[2];
 }
 
 const WettedTriangles::State& WettedHull::measured() noexcept {

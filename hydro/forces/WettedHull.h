@@ -17,10 +17,9 @@ namespace cutwater {
 /// One ship's; one thread. Allocates in its constructor only.
 class WettedHull {
  public:
-  /// @param length  of the ship [m].
   /// @param scaled  false: the hull counts as wholly immersed always (Immersion::Constant).
   WettedHull(std::shared_ptr<const PressureHull> hull, std::shared_ptr<const SeaTables> tables,
-             double length, double density, double gravity, bool scaled);
+             bool scaled);
 
   /// The hull at t [s]: G in E [m], R_EB. Once a tick.
   /// @param slow  G and heading at which the waves meet the hull: of a free ship its slow ones. The
@@ -34,6 +33,10 @@ class WettedHull {
   /// @param way  velocity of the slow place in E [m/s], x and y.
   void look(double time, const Place& actual, const Place& slow, const Vec6& velocity,
             const std::array<double, 2>& way) noexcept;
+  /// The same of a hull that is held there.
+  void look(double time, const Place& held) noexcept {
+    look(time, held, held, Vec6::Zero(), {0.0, 0.0});
+  }
   /// The next look() has no past: nothing comes in or goes out with it.
   void forget() noexcept { begun_ = false; }
 
@@ -78,7 +81,7 @@ class WettedHull {
                           Columns& columns) noexcept;
   static void pressPoints(double gradient, const Columns& columns,
                           WettedTriangles::State& state) noexcept;
-  void takeMeanOff(const Vec3& up) noexcept;
+  void takeMeanOff() noexcept;
   const WettedTriangles::State& measured() noexcept;
   void weighWaves(const std::array<double, 2>& way) noexcept;
   void findWater(double time) noexcept;
@@ -90,11 +93,11 @@ class WettedHull {
   double density_, gravity_;
   bool scaled_, calm_, measured_ = false;
   double slow_;        // ω₀ of FreeResponse::share
-  double fast_ = 0.0;  // share of the sea's energy that is met fast
   double near_ = 0.0;  // depth of the deepest vertex of which an edge may be cut [m]
   WettedTriangles::State state_;
   Columns columns_;
-  std::vector<double> weightX_, weightY_;  // of each wave, for the flow along x and y of E
+  // Of each wave: factors of the flow along x and y of E, and ω′ [rad/s].
+  std::vector<double> weightX_, weightY_, meets_;
   Place actual_, met_;
   Vec6 load_ = Vec6::Zero();
   std::vector<double> shares_, before_, rise_;

@@ -73,6 +73,19 @@ CUTWATER_INLINE void weighedAt(const auto& sea, const Double& z, double* first, 
   toDouble(two).store(second);
 }
 
+/// −Σ f r a sin θ with the third factor.
+template <class Double>
+CUTWATER_INLINE Double rateAt(const auto& sea, const Double& x, const Double& y) {
+  using Single = decltype(toSingle(x));
+  const auto* waves = sea.waves.data();
+  return sumOver<Single>(sea.waves.size(), [&](std::size_t i) CUTWATER_INLINED {
+    // sin θ is cos θ a quarter of a turn later.
+    auto turned = waves[i];
+    turned.turns -= 0.25;
+    return -(waves[i].rate * waves[i].height) * cosineOfTurns(turnsAt(turned, x, y));
+  });
+}
+
 /// The water at the points from `first` on, as many as Double holds. Where the point and the
 /// surface are at one height, so are the two exponents, to the bit, and with them both heads.
 template <class Double>
@@ -86,14 +99,19 @@ CUTWATER_INLINE void waterAt(const auto& sea, const auto& points, std::size_t fi
   const Double surface = sea.profile == WaveProfile::Constant ? least(zeta, Double{}) : zeta;
   const Double level = wheeler ? least(z, zeta) - zeta : least(z, surface);
   headAt(sea, level).store(&water.head[first]);
-  if (!water.first.empty()) weighedAt(sea, level, &water.first[first], &water.second[first]);
+  bool isNear = false;
+  for (std::size_t i = first; i < first + sizeof(Double) / sizeof(double); ++i)
+    isNear |= points.z[i] > -near;
+  if (!water.first.empty()) {
+    weighedAt(sea, level, &water.first[first], &water.second[first]);
+    if (isNear)
+      rateAt(sea, Double::load(&points.x[first]), Double::load(&points.y[first]))
+          .store(&water.rate[first]);
+  }
   if (wheeler) {
     zeta.store(&water.surfaceHead[first]);
     return;
   }
-  bool isNear = false;
-  for (std::size_t i = first; i < first + sizeof(Double) / sizeof(double); ++i)
-    isNear |= points.z[i] > -near;
   (isNear ? headAt(sea, surface) : zeta).store(&water.surfaceHead[first]);
 }
 
@@ -127,10 +145,12 @@ WaterPressure::WaterPressure(const SeaState& sea, bool wide)
   }
 }
 
-void WaterPressure::weigh(std::span<const double> first, std::span<const double> second) noexcept {
+void WaterPressure::weigh(std::span<const double> first, std::span<const double> second,
+                          std::span<const double> rate) noexcept {
   for (std::size_t i = 0; i < waves_.size(); ++i) {
     waves_[i].first = static_cast<float>(first[i]);
     waves_[i].second = static_cast<float>(second[i]);
+    waves_[i].rate = static_cast<float>(rate[i]);
   }
 }
 

@@ -35,15 +35,19 @@ class WaterPressure {
     std::span<double> elevation, head, surfaceHead;
     /// Sums like H, but each wave times its factors of weigh(). Empty: not made.
     std::span<double> first = {}, second = {};
+    /// −Σ f r a sin θ with the third factor, where surfaceHead is made: the rate of ζ, of an
+    /// observer who meets each wave at that frequency. With the other two.
+    std::span<double> rate = {};
   };
 
   /// Allocates all that it needs.
   /// @param wide  false: does without the widest registers that a machine may have, for tests.
   explicit WaterPressure(const SeaState& sea, bool wide = true);
 
-  /// Factors of each wave for Water::first and second. 0 before the first call.
-  /// @pre Both have one number for each component of the sea.
-  void weigh(std::span<const double> first, std::span<const double> second) noexcept;
+  /// Factors of each wave for Water::first, second and rate. 0 before the first call.
+  /// @pre All have one number for each component of the sea.
+  void weigh(std::span<const double> first, std::span<const double> second,
+             std::span<const double> rate) noexcept;
 
   /// The water at time t [s], x and y from originX, originY [m].
   /// @param near  [m] surfaceHead is made for points whose z is above −near, so that a ship can
@@ -60,7 +64,7 @@ class WaterPressure {
     double turnsX, turnsY;  ///< k_x/2π, k_y/2π [1/m]
     float height;           ///< r a [m]
     float octaves;          ///< k/ln 2 [1/m]: e^{kz} = 2^{octaves z}
-    float first = 0.0F, second = 0.0F;
+    float first = 0.0F, second = 0.0F, rate = 0.0F;
   };
   /// What of a component does not change.
   struct Component {

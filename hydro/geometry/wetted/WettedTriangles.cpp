@@ -12,6 +12,8 @@ namespace cutwater {
 
 namespace {
 
+constexpr double kFlattest = 0.1;  // level part of a normal, below which it is taken as that
+
 void requireClosed(const SurfaceMesh& hull) {
   if (hull.faces.empty()) throw HydroError(Fault::MeshEmpty, "wetted hull: it has no faces");
   for (const Vec3& p : hull.vertices) {
@@ -77,6 +79,7 @@ WettedTriangles::State::State(const WettedTriangles& hull)
       pressure(hull.points().size(), 0.0),
       surfacePressure(hull.points().size(), 0.0),
       onSurface(hull.points().size(), 0.0),
+      rise(hull.points().size(), 0.0),
       beamArea(hull.strips(), 0.0) {
   for (std::vector<double>& f : carried) f.resize(hull.points().size(), 0.0);
   waterline.reserve(hull.triangles());
@@ -144,6 +147,11 @@ Vec3 WettedTriangles::carriedAt(const State& state, int vertex) noexcept {
   return {state.carried[0][i], state.carried[1][i], state.carried[2][i]};
 }
 
+Vec3 WettedTriangles::carriedAt(const State& state, const Crossing& at) noexcept {
+  const Vec3 wet = carriedAt(state, at.wet);
+  return wet + at.part * (carriedAt(state, at.dry) - wet);
+}
+
 // Where the surface cuts an edge, always found from its wet end: both triangles of the edge have
 // the same bits.
 WettedTriangles::Crossing WettedTriangles::crossing(const State& state, int wet,
@@ -189,11 +197,7 @@ void WettedTriangles::exchange(const Triangle& t, const Piece& piece, State& sta
     loads.moment += state.pressure[i] * moment;
     loads.flow -= (loads.velocity.dot(t.area) / 3.0 + loads.spin.dot(moment)) * carriedAt(state, v);
   }
-  const auto carried = [&](const Crossing& at) {
-    const Vec3 wet = carriedAt(state, at.wet);
-    return Vec3(wet + at.part * (carriedAt(state, at.dry) - wet));
-  };
-  const Vec3 fb = carried(piece.ab), fc = carried(piece.ac);
+  const Vec3 fb = carriedAt(state, piece.ab), fc = carriedAt(state, piece.ac);
   const Corner first = corner(state, piece.wet[0]);
   const Vec3 f0 = carriedAt(state, piece.wet[0]);
   if (piece.wet[1] < 0) {
@@ -206,20 +210,25 @@ void WettedTriangles::exchange(const Triangle& t, const Piece& piece, State& sta
   }
 }
 
-// ν dl is the piece of waterline turned by a quarter about the vertical, away from the hull.
-void WettedTriangles::addEdge(const Vec3& up, const Piece& piece, const Vec3& N,
-                              State& state) const noexcept {
-  const Vec3 &a = piece.ab.at.r, &b = piece.ac.at.r;
-  state.waterline.emplace_back(a, b);
-  const auto onSurface = [&](const Crossing& at) {
-    const auto i = static_cast<std::size_t>(at.wet), j = static_cast<std::size_t>(at.dry);
-    return state.onSurface[i] + at.part * (state.onSurface[j] - state.onSurface[i]);
+// A level hull section of normal n, n_h its level part, in water that rises at ζ̇ moves outwards at
+// (V·n − ζ̇ n·e)/|n_h|. Where the hull lies nearly flat in the surface that is bounded.
+void WettedTriangles::addEdge(const Vec3& up, const Vec6& motion, const Piece& piece,
+                              const Triangle& t, State& state) const noexcept {
+  const auto at = [](const std::vector<double>& f, const Crossing& c) {
+    const auto i = static_cast<std::size_t>(c.wet), j = static_cast<std::size_t>(c.dry);
+    return f[i] + c.part * (f[j] - f[i]);
   };
-  Vec3 out = (b - a).cross(up);
-  if (out.dot(N) < 0.0) out = -out;
-  const double ga = onSurface(piece.ab), gb = onSurface(piece.ac), g = 0.5 * (ga + gb);
-  state.edge.head<3>() += g * out;
-  state.edge.tail<3>() += (0.5 * g * (a + b) + (gb - ga) / 12.0 * (b - a)).cross(out);
+  const Vec3 &a = piece.ab.at.r, &b = piece.ac.at.r;
+  const Vec3 velocity = motion.head<3>() + motion.tail<3>().cross(0.5 * (a + b));
+  const double upwards = t.area.dot(up);
+  const double level = std::sqrt(std::max(0.0, t.size * t.size - upwards * upwards));
+  const double rise = 0.5 * (at(state.rise, piece.ab) + at(state.rise, piece.ac));
+  const double speed =
+      (velocity.dot(t.area) - rise * upwards) / std::max(level, kFlattest * t.size);
+  const double length = (b - a).norm();
+  state.edge +=
+      (0.5 * speed * length) * (at(state.onSurface, piece.ab) * carriedAt(state, piece.ab) +
+                                at(state.onSurface, piece.ac) * carriedAt(state, piece.ac));
 }
 
 CUTWATER_VECTOR void WettedTriangles::sumOverVertices(const Weights& weights, const State& state,
@@ -262,7 +271,8 @@ void WettedTriangles::press(const Vec3& up, const Vec6& motion, State& state) co
       const Piece piece = pieceOf(t, wet, state);
       share = piece.first + piece.second;
       exchange(t, piece, state, loads);
-      addEdge(up, piece, t.area, state);
+      addEdge(up, motion, piece, t, state);
+      state.waterline.emplace_back(piece.ab.at.r, piece.ac.at.r);
     }
     state.beamArea[static_cast<std::size_t>(t.strip)] += std::max(0.0, -share * t.area.dot(up));
   }

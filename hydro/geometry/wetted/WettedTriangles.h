@@ -53,14 +53,15 @@ class WettedTriangles {
     std::vector<double> pressure;  ///< [Pa], where depth > 0
     /// [Pa] in the surface above or below the vertex, where an edge of it is cut; 0 in still water.
     std::vector<double> surfacePressure;
-    /// Three quantities f of the water at the vertex, and one, g, in the surface above or below it;
-    /// 0 where nobody asks for `flow` and `edge`.
+    /// Three quantities f of the water at the vertex, and two in the surface above or below it: one,
+    /// g, and the rate at which it rises [m/s]. 0 where nobody asks for `flow` and `edge`.
     std::array<std::vector<double>, 3> carried;
-    std::vector<double> onSurface;
+    std::vector<double> onSurface, rise;
     // Out, of press().
     Vec6 load = Vec6::Zero();  ///< [N, N·m]
     Vec3 flow = Vec3::Zero();  ///< ∫f (V·n) dS with the hull's velocity V
-    Vec6 edge = Vec6::Zero();  ///< ∮g ν dl along the waterline, ν outwards, level; its moment
+    /// ∮g f V_ν dl along the waterline, V_ν its own velocity outwards, as hull and water move.
+    Vec3 edge = Vec3::Zero();
     std::vector<double> beamArea;  ///< wetted area that faces down, seen from above [m²], by strip
     /// Pieces of the waterline [m], in no order. Never more than one a triangle.
     std::vector<std::pair<Vec3, Vec3>> waterline;
@@ -115,10 +116,12 @@ class WettedTriangles {
                               double* sums) noexcept;
   Corner corner(const State& state, int vertex) const noexcept;
   static Vec3 carriedAt(const State& state, int vertex) noexcept;
+  static Vec3 carriedAt(const State& state, const Crossing& at) noexcept;
   Crossing crossing(const State& state, int wet, int dry) const noexcept;
   Piece pieceOf(const Triangle& triangle, int wet, const State& state) const noexcept;
   void exchange(const Triangle& t, const Piece& piece, State& state, Loads& loads) const noexcept;
-  void addEdge(const Vec3& up, const Piece& piece, const Vec3& N, State& state) const noexcept;
+  void addEdge(const Vec3& up, const Vec6& motion, const Piece& piece, const Triangle& t,
+               State& state) const noexcept;
 
   Points points_;
   std::vector<Vec3> places_;

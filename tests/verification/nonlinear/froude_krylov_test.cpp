@@ -40,11 +40,11 @@ struct Held {
 Held hold(const std::shared_ptr<const Hydrodynamics>& ship, const SeaState& sea, double height) {
   const auto tables = std::make_shared<SeaTables>(ship, std::make_shared<const SeaState>(sea));
   const auto hull = tables->pressureHull(kMany);
-  WettedHull wetted(hull, tables, kDensity, kGravity, false);
+  WettedHull wetted(hull, tables, false);
   const WettedHull::Place place{ship->ship().cog + Vec3(0.0, 0.0, height), Mat3::Identity()};
   Held held{{}, hull->triangles().longestEdge(), hull->pressureError()};
   for (int i = 0; i < kPhases; ++i) {
-    wetted.look(phase(i) / sea.components()[0].omega, place, place);
+    wetted.look(phase(i) / sea.components()[0].omega, place);
     held.forces[static_cast<std::size_t>(i)] = wetted.load().head<3>();
   }
   return held;

@@ -48,7 +48,7 @@ struct Stiffness {
 Stiffness stiffnessOf(const std::shared_ptr<const Hydrodynamics>& ship, const SeaState& sea) {
   constexpr double kHeel = 0.01;  // [rad]
   const auto tables = std::make_shared<SeaTables>(ship, std::make_shared<const SeaState>(sea));
-  WettedHull wetted(tables->pressureHull(2000), tables, ship->ship().density, kGravity, false);
+  WettedHull wetted(tables->pressureHull(2000), tables, false);
   Stiffness found;
   Complex first = 0.0;
   for (int i = 0; i < kPhases; ++i) {
@@ -57,7 +57,7 @@ Stiffness stiffnessOf(const std::shared_ptr<const Hydrodynamics>& ship, const Se
     for (const double heel : {kHeel, -kHeel}) {
       const Mat3 attitude = Eigen::AngleAxisd(heel, Vec3::UnitX()).toRotationMatrix();
       const WettedHull::Place place{Vec3(0.0, 0.0, ship->ship().cog.z()), attitude};
-      wetted.look(phase / sea.components()[0].omega, place, place);
+      wetted.look(phase / sea.components()[0].omega, place);
       moment += wetted.load()[Roll] * (heel > 0.0 ? 1.0 : -1.0);
     }
     const double stiffness = -moment / (2.0 * kHeel);
