@@ -1,11 +1,11 @@
 #include "plugin/AddedMassConstraint.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "hydro/Errors.h"
+#include "hydro/base/SymmetricEigen.h"
 #include "hydro/forces/OwnAxes.h"
 
 CUTWATER_PLUGIN_BEGIN
@@ -97,12 +97,12 @@ AddedMassConstraint::AddedMassConstraint(btRigidBody& body, const Mat6& addedMas
 void AddedMassConstraint::findRows(const Mat6& addedMass) noexcept {
   const Mat6 scaled =
       root_.cwiseInverse().asDiagonal() * addedMass * root_.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Mat6> eigen(scaled);
+  const SymmetricEigen eigen = symmetricEigen(scaled);
   count_ = 0;
   for (int r = 5; r >= 0; --r) {
-    const double ratio = eigen.eigenvalues()[r];
+    const double ratio = eigen.values[r];
     if (ratio < kSmallestRatio) continue;
-    const Vec6 j = root_.cwiseProduct(eigen.eigenvectors().col(r));
+    const Vec6 j = root_.cwiseProduct(eigen.vectors.col(r));
     const Vec6 x = j.cwiseQuotient(root_.cwiseAbs2());
     rows_[static_cast<std::size_t>(count_++)] = {j.head<3>(), j.tail<3>(), x.head<3>(), x.tail<3>(),
                                                  ratio};

@@ -1,12 +1,12 @@
 #include "plugin/Ship.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "hydro/Errors.h"
+#include "hydro/base/SymmetricEigen.h"
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/forces/OwnAxes.h"
 #include "hydro/forces/PredictedMotion.h"
@@ -146,9 +146,8 @@ void Ship::findLimits() {
   const Mat6& stiffness = coefficients().ship.restoring;
   const Mat6& added = coefficients().addedMass.atInfinity;
   const Mat6 inertia = coefficients().ship.massMatrix() + 0.5 * (added + added.transpose());
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Mat6> modes(
-      0.5 * (stiffness + stiffness.transpose()), inertia, Eigen::EigenvaluesOnly);
-  const double fastest = modes.eigenvalues()[5];
+  const double fastest =
+      symmetricEigenvalues(0.5 * (stiffness + stiffness.transpose()), inertia)[5];
   longestTick_ = fastest > 0.0 ? 1.0 / std::sqrt(fastest) : kNever;
 }
 

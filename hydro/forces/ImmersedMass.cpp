@@ -1,9 +1,11 @@
 #include "hydro/forces/ImmersedMass.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "hydro/base/SymmetricEigen.h"
 
 namespace cutwater {
 
@@ -24,10 +26,10 @@ Mat6 positivePart(const Mat6& given) {
   const Vec6 inverse = unit.cwiseInverse();
   const Mat6 scaled =
       inverse.asDiagonal() * (0.5 * (given + given.transpose())) * inverse.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Mat6> eigen(scaled);
-  if (eigen.eigenvalues()[0] >= 0.0) return 0.5 * (given + given.transpose());
-  const Vec6 kept = eigen.eigenvalues().cwiseMax(0.0);
-  const Mat6 positive = eigen.eigenvectors() * kept.asDiagonal() * eigen.eigenvectors().transpose();
+  const SymmetricEigen eigen = symmetricEigen(scaled);
+  if (eigen.values[0] >= 0.0) return 0.5 * (given + given.transpose());
+  const Vec6 kept = eigen.values.cwiseMax(0.0);
+  const Mat6 positive = eigen.vectors * kept.asDiagonal() * eigen.vectors.transpose();
   return unit.asDiagonal() * positive * unit.asDiagonal();
 }
 

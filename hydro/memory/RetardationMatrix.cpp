@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <span>
 
 #include "hydro/Errors.h"
+#include "hydro/base/SymmetricEigen.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/database/Interpolation.h"
 #include "hydro/memory/FourierPieces.h"
@@ -125,9 +125,8 @@ void RetardationMatrix::keepTailsPositive() {
     for (const Entry& e : entries_)
       if (belongs(e) && excess(e) == 0.0)
         matrix(e.j, e.k) = matrix(e.k, e.j) = std::clamp(beside(e), -1.0, 1.0);
-    const Eigen::SelfAdjointEigenSolver<Mat6> eigen(matrix, Eigen::EigenvaluesOnly);
     // I + s(M − I) has no eigenvalue below 0.
-    const double share = 1.0 / (1.0 - std::min(0.0, eigen.eigenvalues().minCoeff()));
+    const double share = 1.0 / (1.0 - std::min(0.0, symmetricEigenvalues(matrix)[0]));
     for (Entry& e : entries_) {
       if (!belongs(e)) continue;
       const double kept = share * matrix(e.j, e.k) / beside(e);

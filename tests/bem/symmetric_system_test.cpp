@@ -1,9 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
-
 #include "hydro/Errors.h"
 #include "hydro/bem/solution/SymmetricSystem.h"
+#include "tests/support/Matrices.h"
 
 // The algebra of a factored system, on matrices that belong to no hull.
 namespace cutwater::test {
@@ -55,8 +54,7 @@ TEST(SymmetricSystemIdentity, PotentialsSolveTheEquationOfEitherFormulation) {
     for (const Parity parity : kParities) {
       const auto& [L, R, H, which] = systems[static_cast<std::size_t>(parity)];
       const bool source = formulation == Formulation::Source;
-      const Eigen::MatrixXcd unknowns =
-          L.partialPivLu().solve(source ? onLidZero(v) : Eigen::MatrixXcd(R * v));
+      const Eigen::MatrixXcd unknowns = solved(L, source ? onLidZero(v) : Eigen::MatrixXcd(R * v));
       const Eigen::MatrixXcd ofAll = source ? Eigen::MatrixXcd(R * unknowns) : unknowns;
       const Eigen::MatrixXcd phi = ofAll.topRows(kHullRows);
       EXPECT_LT((solver.potentials(parity, v) - phi).norm(), kOfTwoSolves * phi.norm());

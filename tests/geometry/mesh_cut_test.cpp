@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "hydro/Errors.h"
@@ -13,7 +14,9 @@ namespace {
 /// Turns and lowers the hull so that the plane becomes z = 0.
 SurfaceMesh turnedTo(const SurfaceMesh& mesh, const Plane& plane) {
   SurfaceMesh out = mesh;
-  const Mat3 r = Eigen::Quaterniond::FromTwoVectors(plane.normal, Vec3::UnitZ()).toRotationMatrix();
+  const Vec3 axis = plane.normal.cross(Vec3::UnitZ());
+  const double angle = std::atan2(axis.norm(), plane.normal.z());
+  const Mat3 r = Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
   for (Vec3& p : out.vertices) p = r * p - plane.offset * Vec3::UnitZ();
   return out;
 }

@@ -2,10 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
-#include <Eigen/QR>
 
 #include "tests/plugin/TestRig.h"
+#include "tests/support/Matrices.h"
 #include "tests/support/Results.h"
 
 namespace cutwater::test {
@@ -75,7 +74,7 @@ Vec6 pairResponse(const Mat6& first, const Mat6& second, const Eigen::MatrixXd& 
   system.topRightCorner(12, j.rows()) = j.transpose();
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
   right.head<6>() = impulse;
-  return system.partialPivLu().solve(right).head<6>();
+  return solved(system, right).topRows<6>();
 }
 
 // Relative error of the ship's response to a blow when held to a second body as large as itself;

@@ -2,12 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <memory>
 #include <random>
 
 #include "tests/plugin/TestRig.h"
+#include "tests/support/Matrices.h"
 #include "tests/support/Results.h"
 
 namespace cutwater::test {
@@ -109,7 +109,7 @@ Errors collisionErrors(std::mt19937& random, int iterations) {
     row[i] << n, scene.arm[i].cross(n);
     before[i] = velocityOf(*scene.boats[i]->body);
     closing += row[i].dot(before[i]);
-    softness += row[i].dot(scene.boats[i]->inertia().inverse() * row[i]);
+    softness += row[i].dot(inverse(scene.boats[i]->inertia()) * row[i]);
     metric += before[i].dot(scene.boats[i]->inertia() * before[i]);
   }
   const Vec6 momentumBefore = scene.momentum();
@@ -118,7 +118,7 @@ Errors collisionErrors(std::mt19937& random, int iterations) {
   Mat6 inertia[2];
   for (int i = 0; i < 2; ++i) {
     inertia[i] = scene.boats[i]->inertia();
-    after[i] = before[i] - inertia[i].inverse() * row[i] * closing / softness;
+    after[i] = before[i] - inverse(inertia[i]) * row[i] * closing / softness;
   }
   // Inertia and place are those of the blow: the tick's own motion is left out.
   scene.world.world.stepSimulation(kTick, 1, kTick);

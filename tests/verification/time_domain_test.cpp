@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <random>
 
+#include "hydro/base/SymmetricEigen.h"
 #include "hydro/bem/BuildCoefficients.h"
 #include "hydro/database/ForwardSpeed.h"
 #include "hydro/excitation/ExcitationTable.h"
@@ -289,7 +289,7 @@ double leastDamping(const ExponentialSum& sum, const Coefficients& c) {
   for (double omega = 0.01; omega < 100.0; omega *= 1.01) {
     Mat6 B = scale.asDiagonal() * sum.transform(omega, 0.0).real() * scale.asDiagonal();
     B = (0.5 * (B + B.transpose())).eval();
-    least = std::min(least, Eigen::SelfAdjointEigenSolver<Mat6>(B).eigenvalues().minCoeff());
+    least = std::min(least, symmetricEigenvalues(B)[0]);
   }
   return least;
 }
