@@ -1,5 +1,4 @@
 #pragma once
-#include <Eigen/LU>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -11,6 +10,7 @@
 #include "hydro/base/CsvRow.h"
 #include "hydro/database/CoefficientsFile.h"
 #include "hydro/forces/Hydrodynamics.h"
+#include "hydro/ship/StabilityRange.h"
 #include "plugin/Seaway.h"
 
 /// What demos share: the command line, a table, a check that prints.
@@ -62,14 +62,19 @@ int demoMain(int argc, char** argv, const std::string& name, const char* header,
 }
 
 /// Heave, roll and pitch at rest of a ship that carries `mass` [kg] at a place about G [m] fixed to
-/// the ship: C η = r × W. The weight's height above G lessens C44 and C55 by W z.
+/// the ship, by its hull: where ship and cargo as one ship have no righting lever.
+/// @throws std::bad_optional_access if they have no such place but keel up.
 inline Vec6 carrying(const ShipParticulars& ship, double mass, const Vec3& place) {
-  const double weight = mass * ship.gravity;
-  Mat3 stiffness = ship.restoring.block<3, 3>(Heave, Heave);
-  stiffness(1, 1) -= weight * place.z();
-  stiffness(2, 2) -= weight * place.z();
+  ShipParticulars loaded = ship;
+  loaded.mass += mass;
+  loaded.cog += mass / loaded.mass * place;
+  Righting righting(loaded, RightingTrim::Free);
+  const RightingLever rest = righting.at(stabilityRange(righting, kPi).rest.value());
   Vec6 motion = Vec6::Zero();
-  motion.segment<3>(Heave) = stiffness.inverse() * (weight * Vec3(-1.0, -place.y(), place.x()));
+  motion[Roll] = rest.heel;
+  motion[Pitch] = rest.trim;
+  const Mat3 rotation = Attitude{.roll = rest.heel, .pitch = rest.trim}.rotation();
+  motion[Heave] = rest.heightOfG + (rotation * (ship.cog - loaded.cog)).z() - ship.cog.z();
   return motion;
 }
 

@@ -1,5 +1,5 @@
 // Boxes stand on deck by friction alone: cargo DATABASE.h5 [OUT.csv]
-// Look for: in calm water the ship carries their weight (draught and heel). In a beam sea that
+// Look for: in calm water the hull carries their weight by its draught and heel. In a beam sea that
 // grows, the box with friction 0.1 stands until the deck feels inclined by atan 0.1 = 5.7 degrees,
 // then slides to and fro; the box with 0.5 stays.
 #include <algorithm>

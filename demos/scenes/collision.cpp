@@ -34,7 +34,10 @@ struct Scene {
             double speed) {
     ShipSettings settings;
     settings.start = {.x = at.x(), .y = at.y(), .heading = heading, .speed = speed};
-    settings.model.hullLift = settings.model.resistance = false;  // only the waves' momentum
+    // Linear, where the water's momentum is A∞ v and that of the waves. Nonlinear, a hull that comes
+    // out of the water leaves its share behind.
+    settings.model.mode = HullPressure::Linear;
+    settings.model.hullLift = settings.model.resistance = false;
     return calm.addShip(frigate, settings);
   }
   // Along the way of the first, to its port.

@@ -1,6 +1,7 @@
 // A load of 20 t swings on a rope of 10 m from a boom over the side: crane DATABASE.h5 [OUT.csv]
-// Look for: the ship rolls about the angle at which C44 carries the load's weight on its arm. The
-// load swings with the period of its rope. The energy of ship, water and load only falls.
+// Look for: the ship rolls about the angle at which its hull carries the load's weight on its arm,
+// where ship and load as one have no righting lever. The load swings with the period of its rope.
+// The energy of ship, water and load only falls.
 #include <algorithm>
 
 #include "demos/scenes/DemoShip.h"
@@ -55,20 +56,22 @@ bool run(const Coefficients& frigate, DemoTable& table) {
   btPoint2PointConstraint rope(ship.body(), load, head, btVector3(0, 0, btScalar(kRope)));
   bullet.world.addConstraint(&rope, true);
 
-  const auto total = [&](double step) {
-    const double speed = double(load.getLinearVelocity().length()),
-                 spin = double(load.getAngularVelocity().length()),
-                 height = double(load.getCenterOfMassPosition().z() -
-                                 step / 2 * load.getLinearVelocity().z());
-    return ship.energy() + 0.5 * kMass * speed * speed + 0.5 * kInertia * spin * spin +
-           kMass * gravity * height;
+  // As the ship's: at the start of a tick, by the mean of the velocities before and after it.
+  const auto tick = [&] {
+    const double height = double(load.getCenterOfMassPosition().z());
+    btVector3 velocity = load.getLinearVelocity(), spin = load.getAngularVelocity();
+    bullet.world.stepSimulation(kTick, 1, kTick);
+    velocity = (velocity + load.getLinearVelocity()) / 2;
+    spin = (spin + load.getAngularVelocity()) / 2;
+    return ship.energy() + 0.5 * kMass * double(velocity.length2()) +
+           0.5 * kInertia * double(spin.length2()) + kMass * gravity * height;
   };
-  const double first = total(0.0), lift = kMass * gravity * kRope * (1.0 - std::cos(angle));
+  const double first = tick(), lift = kMass * gravity * kRope * (1.0 - std::cos(angle));
   double most = -1.0, stretch = 0.0, before = 1.0, begun = 0.0, ended = 0.0;
   int swings = -1, ticks = 0;
   Vec6 mean = Vec6::Zero();
   for (; calm.time() < 200.0; ++ticks) {
-    bullet.world.stepSimulation(kTick, 1, kTick);
+    const double gained = (tick() - first) / lift;
     const btVector3 hangs = load.getCenterOfMassPosition() - ship.body().getWorldTransform() * head;
     const double swung = std::atan2(double(hangs.y()), -double(hangs.z()));
     if (before < 0.0 && swung >= 0.0) {
@@ -76,7 +79,6 @@ bool run(const Coefficients& frigate, DemoTable& table) {
       if (++swings == 0) begun = ended;
     }
     before = swung;
-    const double gained = (total(kTick) - first) / lift;
     most = std::max(most, gained);
     stretch = std::max(stretch, std::abs(double(hangs.length()) / kRope - 1.0));
     mean += ship.motion();

@@ -1,7 +1,7 @@
 // A free ship in a regular head sea: head_seas DATABASE.h5 [OUT.csv]
 // Look for: surge, heave and pitch settle to the amplitudes of the frequency domain of a free ship;
 // sway, roll and yaw stay zero. Nothing holds the ship at its place, and first-order waves do not
-// push it away either: it stays there.
+// push it away either: it stays there. Pressure is linear here, as in the frequency domain.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -21,7 +21,7 @@ int main(int argc, char** argv) try {
   const Coefficients frigate = readCoefficients(argv[1]);
   BulletWorld bullet(frigate.ship.gravity);
   Seaway seaway(bullet.world, SeaState({{omega, amplitude, 0.0, kPi}}, frigate.ship.gravity, 60.0));
-  Ship& ship = seaway.addShip(frigate);
+  Ship& ship = seaway.addShip(frigate, {.model = {.mode = HullPressure::Linear}});
   Recorder recorder(seaway, ship);
 
   Vec6 largest = Vec6::Zero();

@@ -85,8 +85,9 @@ bool coast(const Coefficients& frigate, DemoTable& table) {
   settings.model.mean = Mean::Free;
   settings.start.velocity[Yaw] = 0.001;
   Ship& ship = seaway.addShip(frigate, settings);
-  double before = ship.energy(), gained = 0.0;
-  const double first = before;
+  bullet.world.stepSimulation(kTick, 1, kTick);  // energy is that of a tick
+  const double first = ship.energy();
+  double gained = 0.0;
   while (std::abs(ship.motion()[Yaw]) < 30.0 * kDegree && seaway.time() < 200.0) {
     bullet.world.stepSimulation(kTick, 1, kTick);
     record(table, 2, seaway, ship);

@@ -14,6 +14,7 @@ std::shared_ptr<const Hydrodynamics> coarseFrigate() {
 ShipSettings freeShip(double speed, bool hullLift) {
   ShipSettings settings;
   settings.start.speed = speed;
+  settings.model.mode = HullPressure::Linear;
   settings.model.hullLift = hullLift;
   settings.model.resistance = false;
   return settings;

@@ -21,8 +21,8 @@ inline constexpr const char* kTopic = "15 Free ship";  // of the results page
 /// a free ship leaves it out.
 std::shared_ptr<const Hydrodynamics> coarseFrigate();
 
-/// A free ship by potential flow: the lift of the hull as asked, no resistance, which is of the
-/// second order.
+/// A free ship of linear theory, with which all tests here compare: waves and restoring force of
+/// the hull at rest, the lift of the hull as asked, no resistance, which is of the second order.
 ShipSettings freeShip(double speed = 0.0, bool hullLift = true);
 
 /// One ship in a world of its own.
