@@ -158,8 +158,8 @@ void makeHeavier(Shore& shore, double times) {
   body.setMassProps(static_cast<btScalar>(times * shore.particulars.mass), toBullet(inertia));
 }
 
-// Twice the mass, at twice the draught. The bare hull's waves damp its slow bobbing by a few percent
-// a cycle: the mean of two minutes, after two. 1 cm: half a cycle that is left over of it.
+// Twice the mass, at twice the draught. The bare hull's waves damp its slow bobbing by a few
+// percent a cycle: the mean of two minutes, after two. 1 cm: half a cycle that is left over of it.
 TEST(AshoreClosedForm, TwiceTheMassIsTwiceTheDraught) {
   Shore shore(barge(), {});
   makeHeavier(shore, 2.0);

@@ -273,7 +273,8 @@ Vec6 one(int mode, double value) {
   return v;
 }
 
-// Comes to rest afloat and upright; energy is not gained but for a thousandth in the tick of a blow.
+// Comes to rest afloat and upright; energy is not gained but for a thousandth in the tick of a
+// blow.
 void expectAfloat(const Named& of, const End& end, double height) {
   EXPECT_EQ(end.faults & ~kWarningBits, kStepOk) << of.name;
   EXPECT_NEAR(end.z, of.ship->ship().cog.z(), 0.02) << of.name;
@@ -380,9 +381,10 @@ TEST(SurvivalVerification, OnAHookAndOnATrailerShipsWeighWhatTheyWeigh) {
   }
 }
 
-// The boat as hello_ship sails it, in a sea for which it is small: Hs 2 m, Tp 6 s, by both profiles.
+// The boat as hello_ship sails it, in a sea for which it is small: Hs 2 m, Tp 6 s, both profiles.
 TEST(SurvivalVerification, TheBoatInTwoMetreSeas) {
   for (const WaveProfile profile : {WaveProfile::Wheeler, WaveProfile::Extrapolated}) {
+    if (!fullSize() && profile != WaveProfile::Wheeler) continue;
     const SeaState sea =
         makeSeaState({.hs = 2.0, .tp = 6.0}, {.heading = 2.0, .ramp = 10.0, .profile = profile});
     const Statistics now = sail(boat(), sea, underWay(3.0), 1.0 / 60.0, fullSize() ? 600.0 : 75.0);
