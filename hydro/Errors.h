@@ -74,6 +74,8 @@ enum StepFault : std::uint32_t {
   kMassChanged = 1u << 10,     ///< the body's mass or inertia is not the database's any more
   kGravityChanged = 1u << 11,  ///< the world's gravity is not the database's, or points elsewhere
   /// Tilted more than linear theory can carry (Ship::kLargestTilt): all loads are applied, bounded.
+  /// In nonlinear mode pressure is right in any attitude, and the waves that the hull makes are
+  /// not.
   kAttitudeOutsideTheory = 1u << 12,
   kOutOfWater = 1u << 13,     ///< the whole hull is above the waves, or below them
   kFarFromCourse = 1u << 14,  ///< far from the mean place where waves are taken (Ship::offCourse)

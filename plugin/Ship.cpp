@@ -184,9 +184,19 @@ void Ship::forget() noexcept {
   }
 }
 
+// The hull in the water as it is now, without a past.
+void Ship::lookAgain() noexcept {
+  if (!nonlinear()) return;
+  input_.position = position();
+  input_.attitude = bodyAxes();
+  input_.ownAxes = ownAxesNow();
+  wetted_->look(record_.time, {input_.position, input_.attitude});
+  wetted_->forget();
+}
+
 // v⁻ is the velocity as it is; a free ship's course begins at it.
 void Ship::startAgain() noexcept {
-  if (nonlinear()) wetted_->forget();
+  lookAgain();
   turnAddedMass(ownAxesNow());
   added().forgetPast();
   velocityAfter_ = velocityInEarth(body_->getLinearVelocity(), body_->getAngularVelocity());

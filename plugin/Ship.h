@@ -372,6 +372,7 @@ class Ship {
   Mat6 addedMassNow() const noexcept;
   double mass() const noexcept;
   void findWetted() noexcept;
+  void lookAgain() noexcept;
   double energyAtTick() const noexcept;
   TurningLimits turningLimits() const noexcept;
   void aimRestraint(double step) noexcept;

@@ -124,6 +124,7 @@ void Ship::findWetted() noexcept {
   const Vec3 way = rotationZ(course_.heading()) * Vec3(course_.speed(), course_.leeway(), 0.0);
   wetted_->look(input_.time, actual, slow, velocityNow(), {way.x(), way.y()});
   input_.immersion = wetted_->immersion();
+  input_.deckUnderWater = wetted_->deckUnderWater();
   const double beyond = 1.0 - std::clamp(input_.attitude(2, 2) / std::sqrt(0.5), 0.0, 1.0);
   input_.upright = 1.0 - beyond * beyond * (3.0 - 2.0 * beyond);
 }

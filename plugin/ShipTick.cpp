@@ -127,10 +127,10 @@ Mat6 Ship::addedMassNow() const noexcept {
   return 0.5 * (A + A.transpose());
 }
 
-// Momentum that came with the change. Of the waves' it is the upright part. Of what leaves a pitched
-// hull the ship keeps the level part: a bow comes in and goes out while it is up, in waves again and
-// again, and what was left behind each time would push the ship along. But no more than the energy
-// that leaves.
+// Momentum that came with the change. Of the waves' it is the upright part. Of what leaves a
+// pitched hull the ship keeps the level part: a bow comes in and goes out while it is up, in waves
+// again and again, and what was left behind each time would push the ship along. But no more than
+// the energy that leaves.
 Vec6 Ship::metMomentum() const noexcept {
   const ImmersedMass::Change& change = wetted_->mass();
   const Vec3 up = input_.ownAxes.row(2);

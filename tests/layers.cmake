@@ -45,8 +45,8 @@ set(may_hydro/finish   ${geometry} hydro/waves hydro/incident hydro/ship hydro/d
                        hydro/memory)
 set(may_hydro/solve    ${geometry} hydro/ship hydro/database hydro/memory hydro/finish hydro/bem
                        hydro/bem/settings)
-set(may_hydro/forces   ${geometry} hydro/geometry/wetted hydro/waves hydro/ship hydro/database hydro/excitation
-                       hydro/memory)
+set(may_hydro/forces   ${geometry} hydro/geometry/wetted hydro/waves hydro/ship hydro/database
+                       hydro/excitation hydro/memory)
 set(may_hydro/forces/linear      ${may_hydro/forces} hydro/incident hydro/forces)
 set(may_hydro/forces/nonlinear   ${may_hydro/forces} hydro/forces)
 set(may_hydro/forces/drift       ${may_hydro/forces} hydro/forces)

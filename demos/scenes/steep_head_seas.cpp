@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "demos/cutwater/commands/HarmonicFit.h"
 #include "demos/scenes/DemoShip.h"
+#include "demos/scenes/HarmonicFit.h"
 #include "hydro/response/FrequencyResponse.h"
 
 using namespace cutwater;

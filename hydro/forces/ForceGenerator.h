@@ -65,8 +65,9 @@ struct TickInput {
 
   // How far the linear theory of an upright, immersed hull holds for what it says of waves: 1 with
   // linear hydrostatics, which know no other hull (Ship.h).
-  double immersion = 1.0;  ///< s, 0 out of the water .. 1 as deep as at rest or deeper
-  double upright = 1.0;    ///< 1 to a tilt of 45 degrees, 0 from 90 degrees on
+  double immersion = 1.0;       ///< s, 0 out of the water .. 1 as deep as at rest or deeper
+  double deckUnderWater = 0.0;  ///< more of the hull's wet surface that faces up than at rest [m²]
+  double upright = 1.0;         ///< 1 to a tilt of 45 degrees, 0 from 90 degrees on
 
   // The water.
   const SeaState* sea = nullptr;      ///< waves; null: calm water

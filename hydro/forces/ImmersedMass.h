@@ -10,11 +10,11 @@ namespace cutwater {
 /// has.
 ///     A(s) = Σ_i s_i F_i F_iᵀ + s̄ A_rest,   A(1) = A∞,   s_i = 0 out of the water, 1 in it
 /// F_i is what strip i has of heave and pitch, so that a bow that comes down is met at the bow. It
-/// begins with the mass g_i and the arm x_i of the strip, G = Σ g_i (1, −x_i)(1, −x_i)ᵀ, and is made
-/// to add up: F_i = √g_i T (1, −x_i) with T G Tᵀ the heave-pitch part of A∞. Surge, sway, roll and
-/// yaw follow by their couplings, and what is left of them, A_rest ≥ 0, goes with the mean s̄.
-/// All terms are ≥ 0: strips that come in add mass, strips that leave take theirs away.
-/// Axes and units of A∞. Immutable.
+/// begins with the mass g_i and the arm x_i of the strip, G = Σ g_i (1, −x_i)(1, −x_i)ᵀ, and is
+/// made to add up: F_i = √g_i T (1, −x_i) with T G Tᵀ the heave-pitch part of A∞. Surge, sway, roll
+/// and yaw follow by their couplings, and what is left of them, A_rest ≥ 0, goes with the mean s̄.
+/// All terms are ≥ 0: strips that come in add mass, strips that leave take theirs away. Axes and
+/// units of A∞. Immutable.
 class ImmersedMass {
  public:
   /// @param addedMass  A∞ about G; its antisymmetric part and what of it is below 0 are dropped.

@@ -136,6 +136,7 @@ PressureHull::PressureHull(const ShipParticulars& ship, const Mat6& addedMass,
       pressureError_(made.error) {
   const WettedTriangles::State atRest = inStillWater(triangles_, ship.cog.z(), 0.0);
   volume_ = atRest.volume;
+  restDeck_ = atRest.deckArea;
   energy_ = -ship.density * ship.gravity * volume_ * (atRest.centre.z() + ship.cog.z());
   const double floats = ship.density * volume_;
   if (std::abs(floats - ship.mass) > kWeightOff * ship.mass)

@@ -13,8 +13,9 @@ namespace cutwater {
 bool hasClosedHull(const ShipParticulars& ship);
 
 /// The closed hull that the water's pressure is integrated on, made from a ship's own for a sea:
-/// thinned to the triangles that it may have, and then refined as far as they go until its edges are
-/// short against its strips and the waves. Made once for all ships of a database in a sea; immutable.
+/// thinned to the triangles that it may have, and then refined as far as they go until its edges
+/// are short against its strips and the waves. Made once for all ships of a database in a sea;
+/// immutable.
 class PressureHull {
  public:
   static constexpr std::size_t kStrips = 16;  ///< along the hull, equally long
@@ -40,6 +41,8 @@ class PressureHull {
   /// Middle of each strip, from G [m].
   const std::vector<double>& arms() const noexcept { return arms_; }
 
+  /// Wet hull that faces up, seen from above, in calm water at rest [m²].
+  double restDeck() const noexcept { return restDeck_; }
   double volume() const noexcept { return volume_; }  ///< below calm water at rest [m³]
   /// −ρg∫z dV of that volume [J].
   double energy() const noexcept { return energy_; }
@@ -60,7 +63,7 @@ class PressureHull {
   WettedTriangles triangles_;
   std::vector<double> arms_, restBeam_;
   ImmersedMass mass_;
-  double volume_ = 0.0, energy_ = 0.0, distance_ = 0.0, pressureError_ = 0.0;
+  double restDeck_ = 0.0, volume_ = 0.0, energy_ = 0.0, distance_ = 0.0, pressureError_ = 0.0;
   std::string warning_;
 };
 

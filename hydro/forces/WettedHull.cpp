@@ -100,8 +100,8 @@ void WettedHull::findImmersion(double time) noexcept {
   change_ = hull_->mass().change(before_, shares_, rise_);
 }
 
-// Each wave's orbital velocity is ω e^{kz} a cos θ; what of the force it is the rate of, in the slow
-// frame, is ω/ω′ times that.
+// Each wave's orbital velocity is ω e^{kz} a cos θ; what of the force it is the rate of, in the
+// slow frame, is ω/ω′ times that.
 void WettedHull::weighWaves(const std::array<double, 2>& way) noexcept {
   const auto& waves = tables_->sea().components();
   for (std::size_t i = 0; i < waves.size(); ++i) {

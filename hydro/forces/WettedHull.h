@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
@@ -14,6 +15,9 @@ namespace cutwater {
 /// presses on it, and how far it is immersed. The pressure is that of the undisturbed waves,
 ///     p = −ρ(∂Φ_I/∂t + g z) = ρg (H − z),   0 above ζ                       [M03] (109), (110)
 /// H the dynamic head of the sea's profile (WaterPressure.h), taken at each vertex of the hull.
+/// The level force and the turning moment are those of this pressure but for their mean: they are
+/// the rate of the undisturbed water's momentum in the hull, as waves push no hull along at first
+/// order (THEORY.md, The wetted hull). Of a hull that is held they are those of the pressure.
 /// One ship's; one thread. Allocates in its constructor only.
 class WettedHull {
  public:
@@ -41,12 +45,16 @@ class WettedHull {
   void forget() noexcept { begun_ = false; }
 
   const PressureHull& hull() const noexcept { return *hull_; }
-  /// −∫p n dS in E [N], and its moment about G in E [N·m].
+  /// In E [N], about G in E [N·m].
   const Vec6& load() const noexcept { return load_; }
   double area() noexcept { return measured().area; }      ///< wetted [m²]
   double volume() noexcept { return measured().volume; }  ///< submerged [m³]
   /// Of that volume, in E [m].
   Vec3 centre() noexcept { return inEarth(measured().centre); }
+  /// More of the wet hull that faces up than at rest, seen from above [m²], ≥ 0.
+  double deckUnderWater() const noexcept {
+    return std::max(0.0, state_.deckArea - hull_->restDeck());
+  }
   /// How many vertices are wet: none of a hull that flies, all of one that is under water.
   std::size_t wetVertices() const noexcept { return state_.wetVertices; }
   /// Pieces of the waterline, from G in hull axes [m].

@@ -6,6 +6,7 @@
 #include "demos/scenes/BulletWorld.h"
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/forces/PredictedMotion.h"
+#include "hydro/forces/PressureHull.h"
 #include "hydro/forces/linear/Radiation.h"
 #include "hydro/waves/Spectrum.h"
 #include "hydro/waves/WaterPressure.h"
@@ -223,10 +224,39 @@ void benchFleet(std::string& csv, const std::string& name, const Shared& c, int 
 
 }  // namespace
 
+/// Nonlinear ship, Bullet included, as triangles and components grow. What of the waves' pressure
+/// so many triangles miss (PressureHull::pressureError) is the price of fewer.
+void benchWetted(std::string& csv, const Shared& c, ShipSettings settings) {
+  settings.model.mode = HullPressure::Nonlinear;
+  const auto bench = [&](const std::string& name, int triangles, int components, double budget) {
+    constexpr int kTicks = 4000;
+    settings.model.hullTriangles = triangles;
+    Fleet fleet(c, 1, components, settings);
+    fleet.step(10, kTick60);
+    const PressureHull& hull = *fleet.seaway.ships().front()->pressureHull();
+    Row row{name, hull.triangles().triangles() / 2, 1};
+    const Time time = timeOf([&] { fleet.step(kTicks, kTick60); });
+    row.seconds = time.seconds / kTicks;
+    row.processor = time.processor / kTicks;
+    row.floor = drySeconds(1, kTicks) / kTicks;
+    row.budget = budget;
+    row.checksum = hull.pressureError();
+    add(csv, row);
+  };
+  bench("nonlinear ship, 866 panels, regular wave, one tick", 1732, 1, 30e-6);
+  bench("nonlinear ship, 866 panels, 200 wave components, one tick", 1732, 200, 300e-6);
+  for (const int triangles : {500, 1000, 2000, 4000, 8000}) {
+    const std::string name = "nonlinear ship, " + std::to_string(triangles) + " triangles, ";
+    bench(name + "regular wave; checksum: pressure missed", triangles, 1, 0.0);
+    bench(name + "50 wave components; checksum: pressure missed", triangles, 50, 0.0);
+  }
+}
+
 void benchTimeDomain(std::string& csv, const Coefficients& coefficients) {
   const auto c = std::make_shared<const Hydrodynamics>(coefficients);
   ShipSettings free;
   free.model.mean = Mean::Free;
+  free.model.mode = HullPressure::Linear;
   free.start.speed = 8.0;
   free.model.keepSpeed = SpeedKeeper{.speed = 8.0};
   free.model.keepCourse = CourseKeeper{};
@@ -242,6 +272,7 @@ void benchTimeDomain(std::string& csv, const Coefficients& coefficients) {
   benchShare(csv, "linear ship, one tick, free and kept, 200 wave components", c, 200, 0.0, free);
   benchTick(csv, "linear ship and Bullet, one tick, 200 wave components", c, 200, 0.0, fixed);
   benchTick(csv, "linear ship and Bullet, one tick, regular wave", c, 1, 0.0, fixed);
+  benchWetted(csv, c, free);
   benchParts(csv, c);
   for (const int ships : {1, 10, 100}) {
     benchFleet(csv, std::to_string(ships) + " linear ships at 60 Hz, one core", c, ships, 20,

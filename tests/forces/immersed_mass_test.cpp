@@ -127,7 +127,8 @@ TEST_F(ImmersedMassIdentity, WaterThatRisesAlikeIsNoBlow) {
   Vec6 heaving = Vec6::Zero();
   heaving[Heave] = 1.7;
   const Vec6 came = (change.now - mass_.at(before)) * heaving;
-  // But for what goes with the mean: surge, sway, roll and yaw beside heave and pitch, without heave.
+  // But for what goes with the mean: surge, sway, roll and yaw beside heave and pitch, without
+  // heave.
   EXPECT_NEAR(change.met[Heave], came[Heave], 1e-9 * std::abs(came[Heave]));
   EXPECT_NEAR(change.met[Pitch], came[Pitch], 1e-9 * std::abs(came[Pitch]));
 }

@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "demos/cutwater/commands/Commands.h"
-#include "demos/cutwater/commands/HarmonicFit.h"
 #include "demos/cutwater/commands/HullWarnings.h"
 #include "demos/cutwater/commands/Precision.h"
 #include "demos/cutwater/commands/RunShip.h"
 #include "demos/cutwater/output/Csv.h"
 #include "demos/cutwater/output/Progress.h"
+#include "demos/scenes/HarmonicFit.h"
 #include "hydro/Errors.h"
 #include "hydro/base/ParallelFor.h"
 #include "hydro/response/FrequencyResponse.h"

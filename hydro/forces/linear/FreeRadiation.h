@@ -20,8 +20,8 @@ class RadiationModel;
 /// terms of q; those of A^∞ν, one of them by the engine's solver, are the part added_mass. The mean
 /// yaw moment of V × R p_F in waves, of second order, is taken off as the ship's predicted motion
 /// has it, and so is the steady trim of its way.               THEORY.md, The free ship
-/// A hull that is immersed by a share s drives the memory by sν and feels s times its force: in both
-/// places, so that the waves it has radiated never push it more than it has pushed them.
+/// A hull that is immersed by a share s drives the memory by sν and feels s times its force: in
+/// both places, so that the waves it has radiated never push it more than it has pushed them.
 ///
 /// Loads are differences of momenta half a tick apart from t_n: over any run they add up to what is
 /// left in the water, exactly.

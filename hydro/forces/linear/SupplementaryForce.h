@@ -9,9 +9,9 @@ namespace cutwater {
 /// stiffness of a helmsman.
 ///     F_j = −b_j η̇_j − s_j η_j,   roll also −q |η̇₄| η̇₄                        [M03] section 9
 /// Velocities are those at t_n, so that the term is second order in the tick. Damping sees the
-/// motion about frame H, whose steady way it does not slow. That of roll is the water's on the hull:
-/// it fades as the hull leaves the water or lies on its side. A free ship has no stiffness of surge,
-/// sway and yaw: nothing in the sea holds its place. A CourseKeeper holds its heading.
+/// motion about frame H, whose steady way it does not slow. That of roll is the water's on the
+/// hull: it fades as the hull leaves the water or lies on its side. A free ship has no stiffness of
+/// surge, sway and yaw: nothing in the sea holds its place. A CourseKeeper holds its heading.
 class SupplementaryForce final : public ForceGenerator {
  public:
   /// @param free  Mean::Free.

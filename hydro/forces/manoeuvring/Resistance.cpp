@@ -65,6 +65,14 @@ double Resistance::alongHull(double speed) const noexcept {
   return -halfDensity_ * wettedArea_ * form_ * friction(reynolds) * speed * std::abs(speed);
 }
 
+// ½ρ C_D A w|w| on a hull whose deck A is under water, held to what stops it in a tick.
+double Resistance::sinking(const TickInput& now) const noexcept {
+  const double w = now.etaDotNow[Heave];
+  const double drag = halfDensity_ * crossFlow_ * now.deckUnderWater * w * std::abs(w);
+  const double most = mass_ * std::abs(w) / now.step;
+  return std::clamp(drag, -most, most);
+}
+
 // With c = ½ρ C_D ∫T|v + xr| dx and d likewise with x², Y and N are −C(v, r) with a matrix C ≥ 0 of
 // diagonal c, d. A tick h takes off h M⁻¹C of the velocity, whose largest eigenvalue is at most
 // h(c/m + d/I): held to 1, no motion turns round. 1/I is what a moment about the vertical turns: of
@@ -88,7 +96,9 @@ Wrench Resistance::evaluate(const TickInput& now) noexcept {
   force[Surge] = std::clamp(alongHull(now.speed), -most, most);
   force[Sway] = -across * side;
   force[Yaw] = -across * turn;
-  return {now.immersion * force};
+  force *= now.immersion;
+  force[Heave] = -sinking(now);
+  return {force};
 }
 
 }  // namespace cutwater

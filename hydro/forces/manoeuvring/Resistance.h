@@ -14,6 +14,8 @@ namespace cutwater {
 /// x from G, T(x) the depth of the keel, S the wetted area, all of the hull at rest; without a wet
 /// surface those of a box of the ship's length, beam and volume. C_D and k are inputs
 /// (ShipParticulars::drag). Below Re = 10⁵ C_F is that of 10⁵, so that X goes to 0 as u².
+/// A hull whose deck is under water, by A seen from above (nonlinear mode), is slowed in heave too:
+///     Z = −½ρ C_D A w|w|
 /// The force acts at the height of G: it neither heels nor trims. It takes energy and gives none; a
 /// tick can bring a motion to rest and not turn it round. The waves that a ship makes by its speed
 /// are not in it. ν is that of sea water of 15 °C.
@@ -39,6 +41,8 @@ class Resistance final : public ForceGenerator {
   static double friction(double reynolds) noexcept;
 
  private:
+  double sinking(const TickInput& now) const noexcept;
+
   /// A piece of the length: from G [m], and its share of ∫T dx [m²].
   struct Strip {
     double x, area;

@@ -59,8 +59,8 @@ struct WettedTriangles::Loads {
   }
 };
 
-// With e the vertical and D = Σd_i, V = −∫d e·n dS, as the divergence of d e is −1 and d is 0 in the
-// surface; likewise ∫r dV = −∫(r d + ½d² e) e·n dS.   ∫d² dS = S (D² + Σd_i²)/12
+// With e the vertical and D = Σd_i, V = −∫d e·n dS, as the divergence of d e is −1 and d is 0 in
+// the surface; likewise ∫r dV = −∫(r d + ½d² e) e·n dS.   ∫d² dS = S (D² + Σd_i²)/12
 struct WettedTriangles::Measures {
   Vec3 first = Vec3::Zero();
   double area = 0.0, volume = 0.0, second = 0.0;
@@ -148,8 +148,7 @@ Vec3 WettedTriangles::carriedAt(const State& state, int vertex) noexcept {
 }
 
 Vec3 WettedTriangles::carriedAt(const State& state, const Crossing& at) noexcept {
-  const Vec3 wet = carriedAt(state, at.wet);
-  return wet + at.part * (carriedAt(state, at.dry) - wet);
+  return carriedAt(state, at.dry);
 }
 
 // Where the surface cuts an edge, always found from its wet end: both triangles of the edge have
@@ -259,6 +258,7 @@ void WettedTriangles::press(const Vec3& up, const Vec6& motion, State& state) co
   std::fill(state.beamArea.begin(), state.beamArea.end(), 0.0);
   state.waterline.clear();
   state.edge.setZero();
+  state.deckArea = 0.0;
   double sums[9];
   sumOverVertices(weights_, state, motion, sums);
   Loads loads{motion.head<3>(), motion.tail<3>()};
@@ -274,7 +274,9 @@ void WettedTriangles::press(const Vec3& up, const Vec6& motion, State& state) co
       addEdge(up, motion, piece, t, state);
       state.waterline.emplace_back(piece.ab.at.r, piece.ac.at.r);
     }
-    state.beamArea[static_cast<std::size_t>(t.strip)] += std::max(0.0, -share * t.area.dot(up));
+    const double down = -share * t.area.dot(up);
+    state.beamArea[static_cast<std::size_t>(t.strip)] += std::max(0.0, down);
+    state.deckArea += std::max(0.0, -down);
   }
   state.load << loads.force + Vec3(sums[0], sums[1], sums[2]),
       loads.moment + Vec3(sums[3], sums[4], sums[5]);

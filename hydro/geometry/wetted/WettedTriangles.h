@@ -53,8 +53,8 @@ class WettedTriangles {
     std::vector<double> pressure;  ///< [Pa], where depth > 0
     /// [Pa] in the surface above or below the vertex, where an edge of it is cut; 0 in still water.
     std::vector<double> surfacePressure;
-    /// Three quantities f of the water at the vertex, and two in the surface above or below it: one,
-    /// g, and the rate at which it rises [m/s]. 0 where nobody asks for `flow` and `edge`.
+    /// Three quantities f of the water at the vertex, and two in the surface above or below it:
+    /// one, g, and the rate at which it rises [m/s]. 0 where nobody asks for `flow` and `edge`.
     std::array<std::vector<double>, 3> carried;
     std::vector<double> onSurface, rise;
     // Out, of press().
@@ -63,6 +63,7 @@ class WettedTriangles {
     /// ∮g f V_ν dl along the waterline, V_ν its own velocity outwards, as hull and water move.
     Vec3 edge = Vec3::Zero();
     std::vector<double> beamArea;  ///< wetted area that faces down, seen from above [m²], by strip
+    double deckArea = 0.0;         ///< wetted area that faces up, seen from above [m²]
     /// Pieces of the waterline [m], in no order. Never more than one a triangle.
     std::vector<std::pair<Vec3, Vec3>> waterline;
     std::size_t wetVertices = 0;

@@ -120,6 +120,48 @@ TEST(WettedTrianglesIdentity, LinearPressureUnderWaterIsGausssTheorem) {
   EXPECT_NEAR(hull.volume(), 7.0, 1e-13);
 }
 
+// ∮f (V·n) dS = ∫V·∇f dV for a hull that moves without changing its shape.
+TEST(WettedTrianglesIdentity, FlowThroughAMovingHullIsGausssTheorem) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  const auto some = [&] { return Vec3(normal(random), normal(random), normal(random)); };
+  const WettedTriangles hull(body(), kOrigin);
+  WettedTriangles::State state(hull);
+  const Vec3 slopes[3] = {some(), some(), some()}, velocity = some(), spin = some();
+  for (std::size_t i = 0; i < hull.points().size(); ++i) {
+    const Vec3 r(hull.points().x[i], hull.points().y[i], hull.points().z[i]);
+    state.depth[i] = 100.0 - r.z();
+    for (std::size_t k = 0; k < 3; ++k) state.carried[k][i] = 3.0 + slopes[k].dot(r);
+  }
+  Vec6 motion;
+  motion << velocity, spin;
+  hull.press(Vec3::UnitZ(), motion, state);
+  const Vec3 middle = Vec3(7.5, 6.5, 5.5) / 7.0 - kOrigin;
+  for (int k = 0; k < 3; ++k)
+    EXPECT_NEAR(state.flow[k], 7.0 * slopes[k].dot(velocity + spin.cross(middle)), 1e-12);
+}
+
+// Of a hull that is cut: the same, with the waterplane closed by ∫f V·e dA, here of a box.
+TEST(WettedTrianglesClosedForm, FlowAndWaterlineOfABoxThatMoves) {
+  const WettedTriangles hull(triangulated(test::cubes(test::cells({0, 0, 0}, {4, 2, 1}))),
+                             Vec3::Zero());
+  WettedTriangles::State state(hull);
+  for (std::size_t i = 0; i < hull.points().size(); ++i) {
+    state.depth[i] = 0.25 - hull.points().z[i];
+    state.carried[0][i] = 1.0;
+    state.carried[1][i] = hull.points().x[i];
+    state.onSurface[i] = 2.0;
+    state.rise[i] = 0.7;  // walls: the waterline does not move with it
+  }
+  Vec6 motion;
+  motion << 0.3, -0.2, 0.5, 0.0, 0.0, 0.0;
+  hull.press(Vec3::UnitZ(), motion, state);
+  EXPECT_NEAR(state.flow[0], -0.5 * 8.0, 1e-13);              // what rises through the bottom
+  EXPECT_NEAR(state.flow[1], 0.3 * 2.0 - 0.5 * 16.0, 1e-13);  // ∫V_x dV, less the bottom
+  EXPECT_NEAR(state.edge[0], 0.0, 1e-13);
+  EXPECT_NEAR(state.edge[1], 2.0 * 0.3 * 8.0, 1e-12);  // g V_x over the waterplane
+}
+
 TEST(WettedTrianglesClosedForm, ABoxAtAnyDraught) {
   const SurfaceMesh mesh = triangulated(test::cubes(test::cells({0, 0, 0}, {4, 2, 1})));
   const WettedTriangles hull(mesh, Vec3(2.0, 1.0, 0.5));

@@ -1,4 +1,4 @@
-#include "demos/cutwater/commands/HarmonicFit.h"
+#include "demos/scenes/HarmonicFit.h"
 
 #include <Eigen/Dense>
 #include <cmath>
