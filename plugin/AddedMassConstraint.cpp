@@ -128,6 +128,7 @@ void AddedMassConstraint::heedFactors() noexcept {
   Mat6 projection = Mat6::Zero();
   projection.topLeftCorner<3, 3>() = free(toWorld.linear, linear);
   projection.bottomRightCorner<3, 3>() = free(toWorld.angular, angular);
+  projection_ = projection;
   findRows(projection * addedMass_ * projection);
 }
 
@@ -213,6 +214,7 @@ Vec6 AddedMassConstraint::pastMomentum() const noexcept {
   Vec6 velocity;
   velocity << pastAxes_.linear.transpose() * (fromBullet(linear_) - mean_),
       pastAxes_.angular.transpose() * fromBullet(angular_);
+  if (changed_ && held_) return projection_ * (kept_ * (projection_ * velocity) + met_);
   if (changed_) return kept_ * velocity + met_;
   Vec6 momentum = Vec6::Zero();
   for (int r = 0; r < count_; ++r) {
@@ -260,7 +262,7 @@ Vec6 AddedMassConstraint::momentum() const noexcept {
 
 // Only where rows are missing: a hull without added mass in some direction.
 void AddedMassConstraint::giveWhatNoRowCarries() noexcept {
-  if (!active_ || held_ || count_ == 6) return;
+  if (!active_ || count_ == 6 || (held_ && !changed_)) return;
   const TurningAxes now = axes();
   if (stands(now)) return;
   const Vec6 momentum = carriedInto(now);

@@ -126,6 +126,7 @@ class AddedMassConstraint : public btTypedConstraint {
   void giveWhatNoRowCarries() noexcept;
 
   Mat6 addedMass_;  // A∞, symmetric
+  Mat6 projection_ = Mat6::Identity();  // of a body that is held, onto what is free
   Mat6 kept_;       // of that at v⁻, if it has changed since
   Vec6 met_ = Vec6::Zero();
   bool changed_ = false;

@@ -187,10 +187,11 @@ void Ship::forget() noexcept {
 // The hull in the water as it is now, without a past.
 void Ship::lookAgain() noexcept {
   if (!nonlinear()) return;
+  input_.time = record_.time;
   input_.position = position();
   input_.attitude = bodyAxes();
   input_.ownAxes = ownAxesNow();
-  wetted_->look(record_.time, {input_.position, input_.attitude});
+  wetted_->look(input_.time, {input_.position, input_.attitude});
   wetted_->forget();
 }
 

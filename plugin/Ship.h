@@ -332,6 +332,7 @@ class Ship {
   void saveParts(Snapshot& snapshot) const;
   void checkParts(const Snapshot& snapshot) const;
   void restoreParts(const Snapshot& snapshot);
+  void restoreWetted(const Snapshot& snapshot);
   void partsChanged();
   std::size_t indexOf(std::string_view part) const;
   void findLimits();

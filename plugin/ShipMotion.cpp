@@ -112,8 +112,8 @@ void Ship::findSlowMotion() noexcept {
   predicted_->compare({along.x(), along.y(), headingRate}, input_.step, input_.courseBegins);
 }
 
-// Diffraction and what else is known of an upright hull alone ends between 45 and 90 degrees of
-// tilt.
+// Diffraction and what else is known of an upright hull at the surface alone ends between 45 and 90
+// degrees of tilt, and with depth as a wave of the ship's length does.
 void Ship::findWetted() noexcept {
   if (!nonlinear()) return;
   const WettedHull::Place actual{input_.position, input_.attitude};
@@ -126,7 +126,8 @@ void Ship::findWetted() noexcept {
   input_.immersion = wetted_->immersion();
   input_.deckUnderWater = wetted_->deckUnderWater();
   const double beyond = 1.0 - std::clamp(input_.attitude(2, 2) / std::sqrt(0.5), 0.0, 1.0);
-  input_.upright = 1.0 - beyond * beyond * (3.0 - 2.0 * beyond);
+  const double deep = std::exp(-2.0 * kPi * wetted_->depthOfTop() / length());
+  input_.upright = deep * (1.0 - beyond * beyond * (3.0 - 2.0 * beyond));
 }
 
 // The database's, but of a body that somebody has made heavier or lighter.

@@ -345,15 +345,22 @@ void Ship::restoreParts(const Snapshot& s) {
   if (changed) partsChanged();
 }
 
+void Ship::restoreWetted(const Snapshot& s) {
+  input_.position = s.record.position;
+  input_.attitude = attitudeMatrix(s.record.attitude);
+  input_.ownAxes = frame_.axes().transpose() * s.pastAxes[1] * frame_.axes();
+  const WettedHull::Place place{input_.position, input_.attitude};
+  wetted_->see(s.record.time, place, place, Vec6::Zero(), {0.0, 0.0});
+  wetted_->restore(s.immersed);
+  added().setAddedMass(frame_.mass(wetted_->mass().now));
+}
+
 void Ship::restore(const Snapshot& s) {
   checkParts(s);
   course_.restore(s.course);
   line_.restore(s.line);
   if (free()) predicted_->restore(s.predicted);
-  if (nonlinear()) {
-    wetted_->restore(s.immersed);
-    added().setAddedMass(frame_.mass(wetted_->mass().now));
-  }
+  if (nonlinear()) restoreWetted(s);
   restoreParts(s);
   body_->setCenterOfMassTransform(s.transform);
   body_->setInterpolationWorldTransform(s.interpolated);

@@ -130,7 +130,7 @@ Mat6 Ship::addedMassNow() const noexcept {
 // Momentum that came with the change. Of the waves' it is the upright part. Of what leaves a
 // pitched hull the ship keeps the level part: a bow comes in and goes out while it is up, in waves
 // again and again, and what was left behind each time would push the ship along. But no more than
-// the energy that leaves.
+// the energy that leaves. On a fixed course added mass lies level, and nothing is changed.
 Vec6 Ship::metMomentum() const noexcept {
   const ImmersedMass::Change& change = wetted_->mass();
   const Vec3 up = input_.ownAxes.row(2);
@@ -141,8 +141,12 @@ Vec6 Ship::metMomentum() const noexcept {
   const Vec6 leaves = change.gone * nu;
   Vec6 level = Vec6::Zero();
   level.head<3>() = leaves.head<3>() - up.dot(leaves.head<3>()) * up;
-  const double given = nu.dot(level), energy = 0.5 * nu.dot(leaves);
-  return met + (given > energy ? Vec6(energy / given * level) : level);
+  // Kept as a share k it adds k b + ½k²c to the energy, at most what leaves.
+  const double b = nu.dot(level), c = level.head<3>().squaredNorm() / mass();
+  const double energy = std::max(0.0, 0.5 * nu.dot(leaves));
+  if (!(b + 0.5 * c > energy)) return met + level;
+  const double k = 2.0 * energy / (b + std::sqrt(b * b + 2.0 * c * energy));
+  return met + std::clamp(k, 0.0, 1.0) * level;
 }
 
 // What comes into the water is a blow, what leaves it takes its water's momentum along.

@@ -67,7 +67,7 @@ struct TickInput {
   // linear hydrostatics, which know no other hull (Ship.h).
   double immersion = 1.0;       ///< s, 0 out of the water .. 1 as deep as at rest or deeper
   double deckUnderWater = 0.0;  ///< more of the hull's wet surface that faces up than at rest [m²]
-  double upright = 1.0;         ///< 1 to a tilt of 45 degrees, 0 from 90 degrees on
+  double upright = 1.0;         ///< 1 to a tilt of 45°, 0 from 90° on; less under water
 
   // The water.
   const SeaState* sea = nullptr;      ///< waves; null: calm water

@@ -14,9 +14,13 @@ FreeResponse::FreeResponse(const Coefficients& coefficients, const RadiationMode
       stiffness_(freeRestoring(coefficients.ship.restoring)),
       damping_(coefficients.ship.supplementary.damping),
       addedStiffness_(freeStiffness(coefficients.ship.supplementary.stiffness)),
-      slow_(0.53 * std::sqrt(coefficients.ship.gravity / coefficients.ship.lengthOverall())) {
+      slow_(slowFrequency(coefficients.ship)) {
   model.sum();
   atRest_ = model.waterMass(0.0).real();
+}
+
+double FreeResponse::slowFrequency(const ShipParticulars& ship) {
+  return 0.53 * std::sqrt(ship.gravity / ship.lengthOverall());
 }
 
 double FreeResponse::share(double omega) const noexcept {

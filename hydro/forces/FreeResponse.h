@@ -41,6 +41,7 @@ class FreeResponse {
   ///     w = ω′⁴/(ω′⁴ + ω₀⁴),   ω₀ = 0.53 √(g/L)
   /// Near ω′ = 0 the ship rides the wave, and its actual motion is its slow one.
   double share(double omega) const noexcept;
+  static double slowFrequency(const ShipParticulars& ship);  ///< ω₀ [rad/s]
 
  private:
   const RadiationModel& model_;

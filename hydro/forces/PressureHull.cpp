@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "hydro/Errors.h"
+#include "hydro/geometry/MeshCut.h"
 #include "hydro/geometry/wetted/PressureMesh.h"
 #include "hydro/geometry/wetted/SymmetricTriangles.h"
 #include "hydro/geometry/wetted/ThinnedHull.h"
@@ -15,11 +16,11 @@ namespace cutwater {
 
 namespace {
 
+constexpr double kSameSurface = 1e-9;
 constexpr double kSameVertex = 1e-9;  // of the hull's size
 constexpr double kWholeBeam = 0.9;    // of the beam at rest, from which on a strip is immersed
 constexpr double kGoodError = 1e-3;   // of the waves' pressure
 constexpr double kWeightOff = 1e-3;   // of the weight, from which on it is said
-constexpr double kNoBeam = 1e-9;      // of the whole plan
 
 std::vector<double> stationsOf(const Bounds& hull) {
   std::vector<double> stations;
@@ -67,6 +68,34 @@ std::vector<double> weightsOf(const std::vector<double>& beam) {
   std::vector<double> weights;
   for (const double b : beam) weights.push_back(b * b);
   return weights;
+}
+
+// Area, volume and first moments of both alike.
+bool sameSurface(const SurfaceMesh& a, const SurfaceMesh& b) {
+  const auto measures = [](const SurfaceMesh& mesh) {
+    double area = 0.0, volume = 0.0;
+    Vec3 middle = Vec3::Zero();
+    for (const Face& face : mesh.faces) {
+      const Vec3 N = vectorArea(mesh, face), at = meanCorner(mesh, face);
+      area += N.norm();
+      volume += at.dot(N);
+      middle += N.norm() * at;
+    }
+    Eigen::Matrix<double, 5, 1> all;
+    all << area, volume / std::sqrt(area), middle / std::sqrt(area);
+    return all;
+  };
+  return (measures(a) - measures(b)).norm() <= kSameSurface * measures(b).norm();
+}
+
+// A mesh that is its own mirror image stays so: its port half is refined, and mirrored.
+SurfaceMesh refinedAlike(const SurfaceMesh& mesh, double edge, std::size_t most) {
+  const SurfaceMesh port = cutBelow(mesh, {-Vec3::UnitY(), 0.0});
+  const SurfaceMesh whole = port.faces.empty() ? port : bothHalves(port);
+  const bool mirrored =
+      !whole.faces.empty() && openEdges(whole).empty() && sameSurface(whole, mesh);
+  if (!mirrored) return refined(mesh, edge, most).mesh;
+  return bothHalves(refined(port, edge, most / 2).mesh);
 }
 
 // Of the triangles that may be wet, r.m.s. over their area; of each the longest edge.
@@ -117,17 +146,18 @@ PressureHull::Made PressureHull::make(const ShipParticulars& ship, const SeaStat
   made.distance = thin.distance;
   const double strip = made.stations[1] - made.stations[0];
   const double edge = k > 0.0 ? std::min(strip, edgeFor(kGoodError, k)) : strip;
-  made.mesh = refined(thin.mesh, edge, most).mesh;
+  made.mesh = refinedAlike(thin.mesh, edge, most);
+  // With few triangles a strip may have none: then those that cross are divided.
+  if (edgeOf(made.mesh) > 0.5 * strip) made.mesh = splitAt(made.mesh, made.stations);
   if (k > 0.0) made.error = linearPressureError(edgeOf(made.mesh), k);
   return made;
 }
 
 PressureHull::PressureHull(const ShipParticulars& ship, const Mat6& addedMass, const SeaState& sea,
                            std::size_t most)
-    : PressureHull(ship, addedMass, sea, make(ship, sea, most)) {}
+    : PressureHull(ship, addedMass, make(ship, sea, most)) {}
 
-PressureHull::PressureHull(const ShipParticulars& ship, const Mat6& addedMass,
-                           const SeaState& /*sea*/, Made made)
+PressureHull::PressureHull(const ShipParticulars& ship, const Mat6& addedMass, Made made)
     : triangles_(made.mesh, ship.cog, made.stations),
       arms_(armsOf(made.stations, ship.cog.x())),
       restBeam_(inStillWater(triangles_, ship.cog.z(), 0.0).beamArea),

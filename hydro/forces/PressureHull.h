@@ -20,7 +20,7 @@ class PressureHull {
  public:
   static constexpr std::size_t kStrips = 16;  ///< along the hull, equally long
 
-  /// @param most  triangles.
+  /// @param most  triangles; some more where so few would leave strips without any.
   /// @param addedMass  A∞ about G.
   /// @throws HydroError DatabaseIncomplete: the ship has no hull; as WettedTriangles: it is not
   ///         closed; ValueOutOfRange: `most` is below kFewestTriangles.
@@ -57,7 +57,7 @@ class PressureHull {
 
  private:
   struct Made;
-  PressureHull(const ShipParticulars& ship, const Mat6& addedMass, const SeaState& sea, Made made);
+  PressureHull(const ShipParticulars& ship, const Mat6& addedMass, Made made);
   static Made make(const ShipParticulars& ship, const SeaState& sea, std::size_t most);
 
   WettedTriangles triangles_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hydro/base/SimdMath.h"
+#include "hydro/forces/FreeResponse.h"
 #include "hydro/forces/Hydrodynamics.h"
 
 namespace cutwater {
@@ -23,7 +24,7 @@ WettedHull::WettedHull(std::shared_ptr<const PressureHull> hull,
       gravity_(tables_->hydrodynamics()->ship().gravity),
       scaled_(scaled),
       calm_(tables_->sea().components().empty()),
-      slow_(0.53 * std::sqrt(gravity_ / tables_->hydrodynamics()->length())),
+      slow_(FreeResponse::slowFrequency(tables_->hydrodynamics()->ship())),
       state_(hull_->triangles()),
       shares_(hull_->mass().strips(), 1.0),
       before_(shares_),
@@ -120,8 +121,8 @@ void WettedHull::weighWaves(const std::array<double, 2>& way) noexcept {
 
 // The force stays in the axes of the slow heading, as that of linear waves does; the moment turns
 // the hull about its own.
-void WettedHull::look(double time, const Place& actual, const Place& slow, const Vec6& velocity,
-                      const std::array<double, 2>& way) noexcept {
+void WettedHull::see(double time, const Place& actual, const Place& slow, const Vec6& velocity,
+                     const std::array<double, 2>& way) noexcept {
   actual_ = actual;
   met_ = slow;
   measured_ = false;
@@ -135,7 +136,17 @@ void WettedHull::look(double time, const Place& actual, const Place& slow, const
   hull_->triangles().press(up, motion, state_);
   load_ << met_.attitude * state_.load.head<3>(), actual_.attitude * state_.load.tail<3>();
   if (!calm_) takeMeanOff();
-  if (scaled_) findImmersion(time);
+}
+
+void WettedHull::look(double time, const Place& actual, const Place& slow, const Vec6& velocity,
+                      const std::array<double, 2>& way) noexcept {
+  see(time, actual, slow, velocity, way);
+  if (scaled_) {
+    findImmersion(time);
+    return;
+  }
+  begins_ = massChanged_ = !begun_;
+  begun_ = true;
 }
 
 // Level force and turning moment as the rate of the undisturbed water's momentum within the hull:
@@ -144,6 +155,11 @@ void WettedHull::takeMeanOff() noexcept {
   const Vec3 rate = density_ * (state_.flow - 0.5 * state_.edge);
   load_.head<2>() += rate.head<2>();
   load_[Yaw] += rate[2];
+}
+
+double WettedHull::depthOfTop() const noexcept {
+  if (state_.wetVertices < hull_->triangles().vertices()) return 0.0;
+  return *std::min_element(state_.depth.begin(), state_.depth.end());
 }
 
 const WettedTriangles::State& WettedHull::measured() noexcept {
@@ -158,7 +174,7 @@ void WettedHull::save(std::span<double> state) const noexcept {
 }
 
 void WettedHull::restore(std::span<const double> state) noexcept {
-  std::copy_n(state.begin(), shares_.size(), shares_.begin());
+  if (scaled_) std::copy_n(state.begin(), shares_.size(), shares_.begin());
   begun_ = state[shares_.size()] != 0.0;
   mean_ = hull_->mass().mean(shares_);
   change_ = {hull_->mass().at(shares_), Mat6::Zero(), Mat6::Zero(), Vec6::Zero()};

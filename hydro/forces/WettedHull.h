@@ -41,6 +41,9 @@ class WettedHull {
   void look(double time, const Place& held) noexcept {
     look(time, held, held, Vec6::Zero(), {0.0, 0.0});
   }
+  /// The same but for immersion and added mass: after restore(), what was seen last.
+  void see(double time, const Place& actual, const Place& slow, const Vec6& velocity,
+           const std::array<double, 2>& way) noexcept;
   /// The next look() has no past: nothing comes in or goes out with it.
   void forget() noexcept { begun_ = false; }
 
@@ -55,6 +58,8 @@ class WettedHull {
   double deckUnderWater() const noexcept {
     return std::max(0.0, state_.deckArea - hull_->restDeck());
   }
+  /// Depth of the highest vertex under the surface [m]; 0 of a hull that is not wholly under it.
+  double depthOfTop() const noexcept;
   /// How many vertices are wet: none of a hull that flies, all of one that is under water.
   std::size_t wetVertices() const noexcept { return state_.wetVertices; }
   /// Pieces of the waterline, from G in hull axes [m].

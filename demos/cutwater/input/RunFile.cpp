@@ -39,8 +39,7 @@ void readRegular(TomlSection& waves, RunFile& run) {
   run.amplitude = waves.number("amplitude", run.amplitude, 0.0, 100.0);
   run.phase = kDegree * waves.number("phase_deg", 0.0, -kTurn, kTurn);
   if (waves.integer("order", 1, 1, 2) != 1) {
-    waves.refuse("order",
-                 "second-order waves need mode = \"nonlinear\", which is not in this version");
+    waves.refuse("order", "second-order waves are not in this version; 1 is linear waves");
   }
 }
 
@@ -143,8 +142,8 @@ void readHullPressure(TomlSection& motion, ShipModel& model) {
                      ? HullPressure::Linear
                      : HullPressure::Nonlinear;
   for (const char* key : {"immersion", "hull_triangles"}) {
-    if (motion.has(key) && model.mode == HullPressure::Linear)
-      motion.refuse(key, "is for mode = \"nonlinear\"; leave it out");
+    const bool linear = model.mode ? model.mode == HullPressure::Linear : model.mean == Mean::Fixed;
+    if (motion.has(key) && linear) motion.refuse(key, "is for mode = \"nonlinear\"; leave it out");
   }
   const bool scaled = motion.text("immersion", "scaled", {"scaled", "constant"}) == "scaled";
   model.immersion = scaled ? Immersion::Scaled : Immersion::Constant;

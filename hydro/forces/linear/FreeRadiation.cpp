@@ -51,7 +51,7 @@ void FreeRadiation::begin(const TickInput& now) noexcept {
 
 Vec6 FreeRadiation::momentumOf(const Vec3& steady) const noexcept {
   const Mat6 remembered = predicted_->response().addedMassAtRest() - model_->addedMassInf();
-  return momentum_ + remembered * velocityOf(steady - steady_);
+  return momentum_ + remembered * velocityOf(immersion_ * steady - steady_);
 }
 
 // Of V × R p_F about the level y, what the steady way has: a steady trim, of which this theory does
@@ -95,6 +95,7 @@ Wrench FreeRadiation::evaluate(const TickInput& now) noexcept {
   moment[2] -= cross.z() - meanYaw(now);
 
   momentum_ = after;
+  immersion_ = s;
   steady_ = s * steadyOf(now);
   begun_ = true;
   Wrench wrench{.axes = Axes::Earth};

@@ -66,6 +66,7 @@ class FreeRadiation final : public ForceGenerator {
   TurningLimits limits_;
   Vec6 momentum_ = Vec6::Zero();  // q
   Vec3 steady_ = Vec3::Zero();    // s times slow u, v, r of the last tick
+  double immersion_ = 1.0;        // s then; found anew by each tick
   bool begun_ = false;            // has a past
 };
 
