@@ -16,17 +16,20 @@ namespace cutwater {
 
 namespace {
 
+constexpr double kEdgesOfStrip = 1.5;  // lengths of a strip, in triangles
 constexpr double kSameSurface = 1e-9;
 constexpr double kSameVertex = 1e-9;  // of the hull's size
 constexpr double kWholeBeam = 0.9;    // of the beam at rest, from which on a strip is immersed
 constexpr double kGoodError = 1e-3;   // of the waves' pressure
 constexpr double kWeightOff = 1e-3;   // of the weight, from which on it is said
 
-std::vector<double> stationsOf(const Bounds& hull) {
+// Strips no shorter than the triangles, so that each has some.
+std::vector<double> stationsOf(const Bounds& hull, double edge) {
   std::vector<double> stations;
   const double from = hull.low.x(), length = hull.high.x() - from;
-  for (std::size_t i = 0; i <= PressureHull::kStrips; ++i)
-    stations.push_back(from + length * static_cast<double>(i) / PressureHull::kStrips);
+  const double strips = std::clamp(std::floor(length / (kEdgesOfStrip * edge)), 1.0,
+                                   static_cast<double>(PressureHull::kMostStrips));
+  for (double i = 0.0; i <= strips; i += 1.0) stations.push_back(from + length * i / strips);
   return stations;
 }
 
@@ -139,17 +142,17 @@ PressureHull::Made PressureHull::make(const ShipParticulars& ship, const SeaStat
     throw HydroError(Fault::ValueOutOfRange,
                      fmt::format("hull_triangles = {}: at least {}", most, kFewestTriangles));
   Made made;
-  made.stations = stationsOf(bounds(ship.hull));
+  const Bounds size = bounds(ship.hull);
   const double k = waveNumberOf(sea);
   // In waves half of the triangles for the shape, the others to make them short.
   ThinnedHull thin = thinned(symmetricTriangles(shared(ship.hull)), k > 0.0 ? most / 2 : most);
   made.distance = thin.distance;
-  const double strip = made.stations[1] - made.stations[0];
+  const double strip = (size.high.x() - size.low.x()) / (kMostStrips * kEdgesOfStrip);
   const double edge = k > 0.0 ? std::min(strip, edgeFor(kGoodError, k)) : strip;
   made.mesh = refinedAlike(thin.mesh, edge, most);
-  // With few triangles a strip may have none: then those that cross are divided.
-  if (edgeOf(made.mesh) > 0.5 * strip) made.mesh = splitAt(made.mesh, made.stations);
-  if (k > 0.0) made.error = linearPressureError(edgeOf(made.mesh), k);
+  const double reached = edgeOf(made.mesh);
+  made.stations = stationsOf(size, reached);
+  if (k > 0.0) made.error = linearPressureError(reached, k);
   return made;
 }
 

@@ -18,9 +18,10 @@ bool hasClosedHull(const ShipParticulars& ship);
 /// immutable.
 class PressureHull {
  public:
-  static constexpr std::size_t kStrips = 16;  ///< along the hull, equally long
+  static constexpr std::size_t kMostStrips =
+      16;  ///< along the hull, equally long; fewer of few triangles
 
-  /// @param most  triangles; some more where so few would leave strips without any.
+  /// @param most  triangles.
   /// @param addedMass  A∞ about G.
   /// @throws HydroError DatabaseIncomplete: the ship has no hull; as WettedTriangles: it is not
   ///         closed; ValueOutOfRange: `most` is below kFewestTriangles.

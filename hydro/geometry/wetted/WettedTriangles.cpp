@@ -148,7 +148,8 @@ Vec3 WettedTriangles::carriedAt(const State& state, int vertex) noexcept {
 }
 
 Vec3 WettedTriangles::carriedAt(const State& state, const Crossing& at) noexcept {
-  return carriedAt(state, at.dry);
+  const Vec3 wet = carriedAt(state, at.wet);
+  return wet + at.part * (carriedAt(state, at.dry) - wet);
 }
 
 // Where the surface cuts an edge, always found from its wet end: both triangles of the edge have
