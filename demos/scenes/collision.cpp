@@ -34,7 +34,7 @@ struct Scene {
             double speed) {
     ShipSettings settings;
     settings.start = {.x = at.x(), .y = at.y(), .heading = heading, .speed = speed};
-    // Linear, where the water's momentum is A∞ v and that of the waves. Nonlinear, a hull that comes
+    // Linear, where the water's momentum is A∞ v and that of the waves. Otherwise a hull that comes
     // out of the water leaves its share behind.
     settings.model.mode = HullPressure::Linear;
     settings.model.hullLift = settings.model.resistance = false;
