@@ -109,7 +109,7 @@ class Wetted(unittest.TestCase):
                 self.assertIn(word, lines[0])
 
     def warnings(self, done):
-        """Of the triangles: that this ship weighs 0.2 % less than its hull displaces is told too."""
+        """Of the triangles: what else is told of this hull is left out."""
         self.assertEqual(done.returncode, 0, done.stderr)
         return [line for line in done.stderr.splitlines()
                 if "warning" in line and "the hull displaces" not in line]
