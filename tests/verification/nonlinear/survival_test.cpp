@@ -159,11 +159,23 @@ std::string stormName(double heading, std::uint64_t seed, double tick) {
   return name;
 }
 
+// One sea, one ship, two ticks. Heave and pitch to 2 % of what the waves have of them, their height
+// and slope. Roll at its resonance remembers some three waves: 90 of them are worth 30, and paths
+// that have parted agree to 1/sqrt(2 · 30).
+void expectAlike(const Statistics& first, const Statistics& now, const std::string& name) {
+  const double number = 4.0 * kPi * kPi / (kTp * kTp * frigate()->ship().gravity);  // [1/m]
+  const double height = 0.25 * kHs, slope = number * height / kDegree;
+  EXPECT_NEAR(now.heave.deviation(), first.heave.deviation(), 0.02 * height) << name;
+  EXPECT_NEAR(now.pitch.deviation(), first.pitch.deviation(), 0.02 * slope) << name;
+  if (first.roll.deviation() < 1.0) return;
+  EXPECT_NEAR(now.roll.deviation() / first.roll.deviation(), 1.0, 0.13) << name;
+}
+
 class StormVerification : public testing::TestWithParam<double> {};
 
-// Acceptance: 3 seeds, 4 headings, 3 ticks, 20 minutes each. One sea, one ship: heave and pitch of
-// all ticks agree to 2 %, as long as it has not been knocked down in one of them and not in
-// another: beyond, whether a ship rights itself hangs on less than a tick's error.
+// Acceptance: 3 seeds, 4 headings, 3 ticks, 20 minutes each. The statistics of all ticks agree, as
+// long as the ship has not been knocked down in one of them: beyond, whether it rights itself hangs
+// on less than a tick's error.
 TEST_P(StormVerification, AFrigateUnderWayLivesOrIsLostForAReason) {
   const double heading = GetParam(), duration = fullSize() ? 1200.0 : 75.0;
   for (const std::uint64_t seed : {1, 2, 3}) {
@@ -181,8 +193,7 @@ TEST_P(StormVerification, AFrigateUnderWayLivesOrIsLostForAReason) {
       }
       if (!first) first = now;
       if (first->knockdowns + now.knockdowns > 0.0) continue;
-      EXPECT_NEAR(now.heave.deviation() / first->heave.deviation(), 1.0, 0.02) << name;
-      EXPECT_NEAR(now.pitch.deviation() / first->pitch.deviation(), 1.0, 0.02) << name;
+      expectAlike(*first, now, name);
     }
   }
 }
