@@ -65,16 +65,21 @@ struct Shore {
     }
   }
   Vec3 touching() { return contactImpulse(world.dispatcher, ship.body()); }
-  /// What ground and hook carry, in the mean [N].
-  double carried(double seconds, btScalar step) {
-    double sum = 0.0;
+  /// In the mean of some time [N]: what ground and hook carry, and what the water does not.
+  struct Balance {
+    double carried = 0.0, lacking = 0.0;
+  };
+  Balance balance(double seconds, btScalar step) {
+    Balance mean;
     const long ticks = std::lround(seconds / static_cast<double>(step));
     for (long i = 0; i < ticks; ++i) {
       tick(step);
-      sum += touching().z() / static_cast<double>(step);
-      if (hook) sum += static_cast<double>(feedback.m_appliedForceBodyA.z());
+      double carried = touching().z() / static_cast<double>(step);
+      if (hook) carried += static_cast<double>(feedback.m_appliedForceBodyA.z());
+      mean.carried += carried / static_cast<double>(ticks);
+      mean.lacking += lacks() / static_cast<double>(ticks);
     }
-    return sum / static_cast<double>(ticks);
+    return mean;
   }
   double weight() const { return particulars.mass * particulars.gravity; }  ///< [N]
   /// What the water does not carry of it [N].

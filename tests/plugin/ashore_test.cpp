@@ -47,8 +47,8 @@ TEST(AshoreClosedForm, ATrailerCarriesWhatTheWaterDoesNot) {
       Shore shore(barge(), withKeelAt(top + 0.05), &trailer,
                   btTransform(btQuaternion::getIdentity(), at));
       shore.run(60.0, step, 2);
-      const double carried = shore.carried(5.0, step);
-      worst = std::max(worst, std::abs(carried - shore.lacks()) / shore.weight());
+      const Shore::Balance mean = shore.balance(5.0, step);
+      worst = std::max(worst, std::abs(mean.carried - mean.lacking) / shore.weight());
       // Bullet keeps the margin of the barge's shape between the two, a hundredth of its half beam.
       const double deep = top < 0.0 ? -top - 0.02 : 0.0;
       EXPECT_NEAR(shore.ship.wetted()->volume, volumeOf(deep), volumeOf(0.005));
@@ -67,7 +67,7 @@ TEST(AshoreClosedForm, AHookCarriesWhatTheWaterDoesNot) {
       Shore shore(barge(), withKeelAt(keel));
       shore.hangFrom(3.0);
       shore.run(60.0, step, 2);
-      const double carried = shore.carried(5.0, step);
+      const double carried = shore.balance(5.0, step).carried;
       const double expected =
           shore.weight() * (1.0 - volumeOf(std::max(0.0, -keel)) / volumeOf(kBarge.draft));
       worst = std::max(worst, std::abs(carried - expected) / shore.weight());
@@ -134,8 +134,8 @@ TEST(AshoreClosedForm, ABeachHoldsAShipByFrictionAlone) {
       if (!fullSize() && step != kSteps.front()) continue;
       Shore shore(barge(), {.start = {.speed = 3.0}}, shape, beach.place);
       runAground(shore, step);
-      const double carried = shore.carried(5.0, step);
-      worst = std::max(worst, std::abs(carried - shore.lacks()) / shore.lacks());
+      const Shore::Balance mean = shore.balance(20.0, step);  // it rocks a little for long
+      worst = std::max(worst, std::abs(mean.carried / mean.lacking - 1.0));
       EXPECT_LT(movedByPull(shore, beach, 0.9, step), 0.05);
       EXPECT_GT(movedByPull(shore, beach, 1.1, step), 0.5);
       shore.run(20.0, step);
@@ -148,8 +148,8 @@ TEST(AshoreClosedForm, ABeachHoldsAShipByFrictionAlone) {
     }
   }
   recordResult(kTopic, named("on a beach: weight carried, off, of it"), "m g - rho g V", worst,
-               "0.01");
-  EXPECT_LT(worst, 0.01);
+               "1e-3");
+  EXPECT_LT(worst, 1e-3);  // the momentum of its rocking at both ends of 20 s
 }
 
 void makeHeavier(Shore& shore, double times) {
@@ -177,27 +177,25 @@ TEST(AshoreClosedForm, TwiceTheMassIsTwiceTheDraught) {
   EXPECT_EQ(shore.seaway.faults() & ~kOutOfWater, kMassChanged);
 }
 
-// Three times the mass is more than the whole hull's water. It goes under, for good. There nothing
-// of the theory slows it: it sinks at less than what gravity less buoyancy gives its mass and
-// A(∞), and at more than with A(0).
+// Three times the mass is more than the whole hull's water. It goes under, for good, at the speed at
+// which drag carries what the water does not (Resistance.h). 1 %: it is not level all the way.
 TEST(AshoreClosedForm, WhatTheHullCannotCarrySinks) {
   Shore shore(barge(), {});
   makeHeavier(shore, 3.0);
   constexpr btScalar kStep = btScalar(1) / 60;
   shore.run(30.0, kStep);
-  const double before = -shore.ship.velocity()[Heave];
+  const double before = shore.ship.position().z();
   shore.run(10.0, kStep);
-  const double gained = (-shore.ship.velocity()[Heave] - before) / 10.0;
+  const double speed = (before - shore.ship.position().z()) / 10.0;
   const ShipParticulars& ship = shore.particulars;
   const double water = ship.density * volumeOf(kBarge.draft + kBarge.freeboard);
   const double force = (3.0 * ship.mass - water) * ship.gravity;
-  const auto added = [&](const Mat6& a) { return 3.0 * ship.mass + a(Heave, Heave); };
-  const auto& table = barge()->coefficients().addedMass;
-  recordResult(kTopic, named("with three times its mass: sinks faster by [m/s^2]"),
-               "between A(0) and A(inf)", gained, "");
-  EXPECT_GT(gained, 0.98 * force / added(table.atZero));
-  EXPECT_LT(gained, force / added(table.atInfinity));
-  EXPECT_LT(shore.ship.position().z(), -100.0);
+  const double drag = 0.5 * ship.density * ship.drag.crossFlow * kBarge.length * kBarge.breadth;
+  char expected[60];
+  std::snprintf(expected, sizeof expected, "drag: %.3f", std::sqrt(force / drag));
+  recordResult(kTopic, named("with three times its mass: sinks at [m/s]"), expected, speed,
+               "+- 1 %");
+  EXPECT_NEAR(speed / std::sqrt(force / drag), 1.0, 0.01);
   EXPECT_EQ(shore.seaway.faults(), kMassChanged | kOutOfWater);
 }
 
