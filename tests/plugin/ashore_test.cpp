@@ -177,8 +177,8 @@ TEST(AshoreClosedForm, TwiceTheMassIsTwiceTheDraught) {
   EXPECT_EQ(shore.seaway.faults() & ~kOutOfWater, kMassChanged);
 }
 
-// Three times the mass is more than the whole hull's water. It goes under, for good, at the speed at
-// which drag carries what the water does not (Resistance.h). 1 %: it is not level all the way.
+// Three times the mass is more than the whole hull's water. It goes under, for good, at the speed
+// at which drag carries what the water does not (Resistance.h). 1 %: it is not level all the way.
 TEST(AshoreClosedForm, WhatTheHullCannotCarrySinks) {
   Shore shore(barge(), {});
   makeHeavier(shore, 3.0);
