@@ -8,6 +8,8 @@
 
 namespace cutwater {
 
+inline constexpr double kDegree = kPi / 180.0;  ///< [rad]
+
 /// Largest angles that a program may give: a turn for headings, half a turn for attitudes. Of what
 /// is larger nearly all is degrees. The margin is for 360 times π/180.
 inline constexpr double kTurn = 2.0 * kPi * (1.0 + 1e-12), kHalfTurn = kPi * (1.0 + 1e-12);

@@ -11,7 +11,7 @@ namespace cutwater {
 
 namespace {
 
-constexpr double kNoShare = 1e-9;
+constexpr double kMetTooSlowly = 1e-9;  // of w, to be told from a steady motion
 
 }  // namespace
 
@@ -111,7 +111,7 @@ void WettedHull::weighWaves(const std::array<double, 2>& way) noexcept {
     const double met = omega - tables_->sea().waveNumber(i) * (way[0] * cosine - way[1] * sine);
     const double square = met * met, slow = slow_ * slow_;
     const double share = square * square / (square * square + slow * slow);
-    const double factor = share > kNoShare ? share * omega * omega / met : 0.0;
+    const double factor = share > kMetTooSlowly ? share * omega * omega / met : 0.0;
     meets_[i] = met;
     weightX_[i] = factor * cosine;
     weightY_[i] = -factor * sine;

@@ -13,7 +13,6 @@ namespace cutwater {
 
 namespace {
 
-constexpr double kDegree = kPi / 180.0;
 constexpr double kStep = kDegree;            // of heel, on the way from upright
 constexpr double kLeastStep = kStep / 64.0;  // where the trim changes fast
 constexpr double kSmoothTrim = kDegree;      // what it may change by in a step

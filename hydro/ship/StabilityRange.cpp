@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "hydro/base/FindRoot.h"
+#include "hydro/base/Radians.h"
 
 namespace cutwater {
 
 namespace {
 
-constexpr double kDegree = kPi / 180.0;
 constexpr double kPlace = 1e-12;    // tolerance of angles [rad]
 constexpr double kNothing = 1e-10;  // of the scale: a lever of round-off and no more
 constexpr double kNearest = 1e-3 * kDegree;

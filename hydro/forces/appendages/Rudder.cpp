@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hydro/base/Radians.h"
+
 namespace cutwater {
 
 namespace {
 
-constexpr double kDegree = kPi / 180.0;
 constexpr double kAreaOfLateral = 0.025;
 constexpr double kRate = 65.0 / 28.0 * kDegree, kRateLength = 100.0;
 constexpr double kPlate = 1.17;       // C_N of a square plate across the flow [Hoerner65]

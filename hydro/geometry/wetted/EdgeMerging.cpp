@@ -22,7 +22,7 @@ constexpr double kLeastShape = 0.02;
 // Below this the triangles around an edge face all ways, and hold no volume.
 constexpr double kLeastOpening = 0.02;
 
-std::size_t place(int index) { return static_cast<std::size_t>(index); }
+std::size_t slot(int index) { return static_cast<std::size_t>(index); }
 
 bool has(const Face& f, int v) { return f[0] == v || f[1] == v || f[2] == v; }
 
@@ -99,7 +99,7 @@ EdgeMerging::EdgeMerging(SurfaceMesh triangles, bool half)
       age_(mesh_.vertices.size(), 0),
       facesAt_(mesh_.vertices.size()) {
   for (std::size_t k = 0; k < mesh_.faces.size(); ++k)
-    for (int i = 0; i < 3; ++i) facesAt_[place(mesh_.faces[k][i])].push_back(static_cast<int>(k));
+    for (int i = 0; i < 3; ++i) facesAt_[slot(mesh_.faces[k][i])].push_back(static_cast<int>(k));
   holdVertices();
 }
 
@@ -140,11 +140,11 @@ SurfaceMesh EdgeMerging::result() const {
   }
   for (const Face& f : mesh_.faces)
     if (f[0] >= 0)
-      out.faces.push_back({{index[place(f[0])], index[place(f[1])], index[place(f[2])], -1}});
+      out.faces.push_back({{index[slot(f[0])], index[slot(f[1])], index[slot(f[2])], -1}});
   return out;
 }
 
-int EdgeMerging::age(int a, int b) const { return age_[place(a)] + age_[place(b)]; }
+int EdgeMerging::age(int a, int b) const { return age_[slot(a)] + age_[slot(b)]; }
 
 double EdgeMerging::side(const Face& f) const { return at(f[0]).z() + at(f[1]).z() + at(f[2]).z(); }
 
@@ -183,20 +183,20 @@ void EdgeMerging::mergeCheapest() {
 }
 
 void EdgeMerging::merge(int a, int b, const Vec3& to) {
-  mesh_.vertices[place(a)] = to;
-  for (const int k : std::exchange(facesAt_[place(b)], {})) {
-    Face& f = mesh_.faces[place(k)];
+  mesh_.vertices[slot(a)] = to;
+  for (const int k : std::exchange(facesAt_[slot(b)], {})) {
+    Face& f = mesh_.faces[slot(k)];
     if (has(f, a)) {
-      for (int i = 0; i < 3; ++i) std::erase(facesAt_[place(f[i])], k);
+      for (int i = 0; i < 3; ++i) std::erase(facesAt_[slot(f[i])], k);
       f = {};
       --count_;
     } else {
       std::replace(f.v.begin(), f.v.end(), b, a);
-      facesAt_[place(a)].push_back(k);
+      facesAt_[slot(a)].push_back(k);
     }
   }
-  ++age_[place(a)];
-  ++age_[place(b)];  // no candidate has it any more
+  ++age_[slot(a)];
+  ++age_[slot(b)];  // no candidate has it any more
   for (const int v : neighbours(a)) consider(a, v);
 }
 

@@ -75,13 +75,13 @@ SurfaceMesh boat() {
 
 /// Round, sharp and flat hulls; two shells; a hole through it; no symmetry; no part in the water.
 std::vector<NamedMesh> closedHulls() {
-  return {{"frigate", closedFrigate(60, 16)},
-          {"icosphere", icosphere(5.0, 4)},
+  return {{"frigate", closedFrigate(30, 10)},
+          {"icosphere", icosphere(5.0, 3)},
           {"boat", boat()},
           {"catamaran", test::testCatamaran().hull.surface},
-          {"ring", torus(5.0, 1.5, 60, 24)},
-          {"skewed", test::shaken(closedSphere(5.0, 24, 24), 0.05)},
-          {"sunk", test::moved(icosphere(5.0, 4), {0, 1, -20})}};
+          {"ring", torus(5.0, 1.5, 40, 18)},
+          {"skewed", test::shaken(closedSphere(5.0, 16, 16), 0.05)},
+          {"sunk", test::moved(icosphere(5.0, 3), {0, 1, -20})}};
 }
 
 /// V − E + F: 2 for each closed shell, less 2 for each hole through one.
@@ -130,8 +130,8 @@ TEST(ThinnedHullIdentity, FlatSidesAndEdgesStayWhereTheyAre) {
 }
 
 TEST(ThinnedHullIdentity, AMirrorImageStaysOne) {
-  for (const SurfaceMesh& hull : {closedFrigate(60, 16), test::testCatamaran().hull.surface}) {
-    for (const std::size_t most : {600ul, 100000ul}) {
+  for (const SurfaceMesh& hull : {closedFrigate(30, 10), test::testCatamaran().hull.surface}) {
+    for (const std::size_t most : {400ul, 100000ul}) {
       const SurfaceMesh thin = thinned(hull, most).mesh;
       EXPECT_TRUE(test::sameFaces(thin, mirroredInY(thin)));
     }
