@@ -125,9 +125,9 @@ class AddedMassConstraint : public btTypedConstraint {
   Vec6 changeByTurning(const TurningAxes& now) const noexcept;
   void giveWhatNoRowCarries() noexcept;
 
-  Mat6 addedMass_;  // A∞, symmetric
+  Mat6 addedMass_;                      // A∞, symmetric
   Mat6 projection_ = Mat6::Identity();  // of a body that is held, onto what is free
-  Mat6 kept_;       // of that at v⁻, if it has changed since
+  Mat6 kept_;                           // of that at v⁻, if it has changed since
   Vec6 met_ = Vec6::Zero();
   bool changed_ = false;
   Vec6 root_;  // √M
