@@ -133,10 +133,10 @@ Mat6 Ship::addedMassNow() const noexcept {
 // the energy that leaves. On a fixed course added mass lies level, and nothing is changed.
 Vec6 Ship::metMomentum() const noexcept {
   const ImmersedMass::Change& change = wetted_->mass();
+  if (!free()) return change.met;
   const Vec3 up = input_.ownAxes.row(2);
   Vec6 met = change.met;
   met.head<3>() = up.dot(met.head<3>()) * up;
-  if (!free()) return change.met;
   const Vec6& nu = input_.ownVelocityNow;
   const Vec6 leaves = change.gone * nu;
   Vec6 level = Vec6::Zero();

@@ -23,8 +23,8 @@ double FreeResponse::slowFrequency(const ShipParticulars& ship) {
   return 0.53 * std::sqrt(ship.gravity / ship.lengthOverall());
 }
 
-double FreeResponse::share(double omega) const noexcept {
-  const double ratio = omega / slow_, fourth = ratio * ratio * ratio * ratio;
+double FreeResponse::share(double omega, double slow) noexcept {
+  const double ratio = omega / slow, fourth = ratio * ratio * ratio * ratio;
   return fourth / (1.0 + fourth);
 }
 

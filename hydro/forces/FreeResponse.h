@@ -40,7 +40,8 @@ class FreeResponse {
   /// Share of an answer that counts as motion about a slow one, 1 where waves are met fast:
   ///     w = ω′⁴/(ω′⁴ + ω₀⁴),   ω₀ = 0.53 √(g/L)
   /// Near ω′ = 0 the ship rides the wave, and its actual motion is its slow one.
-  double share(double omega) const noexcept;
+  double share(double omega) const noexcept { return share(omega, slow_); }
+  static double share(double omega, double slow) noexcept;   ///< w of an ω₀ [rad/s]
   static double slowFrequency(const ShipParticulars& ship);  ///< ω₀ [rad/s]
 
  private:

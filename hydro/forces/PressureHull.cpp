@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "hydro/Errors.h"
 #include "hydro/geometry/MeshCut.h"
@@ -45,12 +44,10 @@ double waveNumberOf(const SeaState& sea) {
   return all > 0.0 ? std::pow(square / all, 0.25) : 0.0;
 }
 
-WettedTriangles::State inStillWater(const WettedTriangles& hull, double height, double gradient) {
+WettedTriangles::State atRest(const WettedTriangles& hull, const Vec3& cog) {
   WettedTriangles::State state(hull);
-  for (std::size_t i = 0; i < hull.points().size(); ++i) {
-    state.depth[i] = -(hull.points().z[i] + height);
-    state.pressure[i] = gradient * state.depth[i];
-  }
+  for (std::size_t i = 0; i < hull.points().size(); ++i)
+    state.depth[i] = -(hull.points().z[i] + cog.z());
   hull.cut(Vec3::UnitZ(), state);
   return state;
 }
@@ -127,9 +124,10 @@ bool hasClosedHull(const ShipParticulars& ship) {
 }
 
 struct PressureHull::Made {
-  SurfaceMesh mesh;
+  WettedTriangles triangles;
+  WettedTriangles::State rest;
   std::vector<double> stations;
-  double distance = 0.0, error = 0.0;
+  double distance, error;
 };
 
 PressureHull::Made PressureHull::make(const ShipParticulars& ship, const SeaState& sea,
@@ -141,19 +139,19 @@ PressureHull::Made PressureHull::make(const ShipParticulars& ship, const SeaStat
   if (most < kFewestTriangles)
     throw HydroError(Fault::ValueOutOfRange,
                      fmt::format("hull_triangles = {}: at least {}", most, kFewestTriangles));
-  Made made;
   const Bounds size = bounds(ship.hull);
   const double k = waveNumberOf(sea);
   // In waves half of the triangles for the shape, the others to make them short.
-  ThinnedHull thin = thinned(symmetricTriangles(shared(ship.hull)), k > 0.0 ? most / 2 : most);
-  made.distance = thin.distance;
+  const ThinnedHull thin =
+      thinned(symmetricTriangles(shared(ship.hull)), k > 0.0 ? most / 2 : most);
   const double strip = (size.high.x() - size.low.x()) / (kMostStrips * kEdgesOfStrip);
   const double edge = k > 0.0 ? std::min(strip, edgeFor(kGoodError, k)) : strip;
-  made.mesh = refinedAlike(thin.mesh, edge, most);
-  const double reached = edgeOf(made.mesh);
-  made.stations = stationsOf(size, reached);
-  if (k > 0.0) made.error = linearPressureError(reached, k);
-  return made;
+  const SurfaceMesh mesh = refinedAlike(thin.mesh, edge, most);
+  const double reached = edgeOf(mesh);
+  const std::vector<double> stations = stationsOf(size, reached);
+  const WettedTriangles triangles(mesh, ship.cog, stations);
+  return {triangles, atRest(triangles, ship.cog), stations, thin.distance,
+          k > 0.0 ? linearPressureError(reached, k) : 0.0};
 }
 
 PressureHull::PressureHull(const ShipParticulars& ship, const Mat6& addedMass, const SeaState& sea,
@@ -161,16 +159,15 @@ PressureHull::PressureHull(const ShipParticulars& ship, const Mat6& addedMass, c
     : PressureHull(ship, addedMass, make(ship, sea, most)) {}
 
 PressureHull::PressureHull(const ShipParticulars& ship, const Mat6& addedMass, Made made)
-    : triangles_(made.mesh, ship.cog, made.stations),
+    : triangles_(std::move(made.triangles)),
       arms_(armsOf(made.stations, ship.cog.x())),
-      restBeam_(inStillWater(triangles_, ship.cog.z(), 0.0).beamArea),
+      restBeam_(made.rest.beamArea),
       mass_(addedMass, weightsOf(restBeam_), arms_),
+      restDeck_(made.rest.deckArea),
+      volume_(made.rest.volume),
+      energy_(-ship.density * ship.gravity * volume_ * (made.rest.centre.z() + ship.cog.z())),
       distance_(made.distance),
       pressureError_(made.error) {
-  const WettedTriangles::State atRest = inStillWater(triangles_, ship.cog.z(), 0.0);
-  volume_ = atRest.volume;
-  restDeck_ = atRest.deckArea;
-  energy_ = -ship.density * ship.gravity * volume_ * (atRest.centre.z() + ship.cog.z());
   const double floats = ship.density * volume_;
   if (std::abs(floats - ship.mass) > kWeightOff * ship.mass)
     warning_ = fmt::format(

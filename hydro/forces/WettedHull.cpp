@@ -32,11 +32,15 @@ WettedHull::WettedHull(std::shared_ptr<const PressureHull> hull,
   for (auto* column : {&columns_.x, &columns_.y, &columns_.z, &columns_.elevation, &columns_.head,
                        &columns_.surfaceHead})
     column->resize(hull_->triangles().points().size(), 0.0);
-  weightX_.resize(tables_->sea().components().size(), 0.0);
+  const auto& waves = tables_->sea().components();
+  weightX_.resize(waves.size(), 0.0);
   weightY_ = meets_ = weightX_;
   change_.now = hull_->mass().at(shares_);
   near_ = hull_->triangles().longestEdge();
-  for (const WaveComponent& wave : tables_->sea().components()) near_ += wave.amplitude;
+  for (const WaveComponent& wave : waves) {
+    near_ += wave.amplitude;
+    towards_.push_back({std::cos(wave.heading), -std::sin(wave.heading)});
+  }
 }
 
 // In double precision, four at a time: the pressure over thousands of vertices is a small
@@ -106,15 +110,14 @@ void WettedHull::findImmersion(double time) noexcept {
 void WettedHull::weighWaves(const std::array<double, 2>& way) noexcept {
   const auto& waves = tables_->sea().components();
   for (std::size_t i = 0; i < waves.size(); ++i) {
-    const double cosine = std::cos(waves[i].heading), sine = std::sin(waves[i].heading);
+    const auto& [x, y] = towards_[i];
     const double omega = waves[i].omega;
-    const double met = omega - tables_->sea().waveNumber(i) * (way[0] * cosine - way[1] * sine);
-    const double square = met * met, slow = slow_ * slow_;
-    const double share = square * square / (square * square + slow * slow);
+    const double met = omega - tables_->sea().waveNumber(i) * (way[0] * x + way[1] * y);
+    const double share = FreeResponse::share(met, slow_);
     const double factor = share > kMetTooSlowly ? share * omega * omega / met : 0.0;
     meets_[i] = met;
-    weightX_[i] = factor * cosine;
-    weightY_[i] = -factor * sine;
+    weightX_[i] = factor * x;
+    weightY_[i] = factor * y;
   }
   water_.weigh(weightX_, weightY_, meets_);
 }

@@ -25,13 +25,14 @@ class WettedHull {
   WettedHull(std::shared_ptr<const PressureHull> hull, std::shared_ptr<const SeaTables> tables,
              bool scaled);
 
-  /// The hull at t [s]: G in E [m], R_EB. Once a tick.
-  /// @param slow  G and heading at which the waves meet the hull: of a free ship its slow ones. The
-  ///        hull is there as it is, but moved to that place and turned to that heading.
+  /// G in E [m], R_EB.
   struct Place {
     Vec3 position = Vec3::Zero();
     Mat3 attitude = Mat3::Identity();
   };
+  /// The hull at t [s]. Once a tick.
+  /// @param slow  where the waves meet the hull: it is as it is there, but moved and turned to the
+  ///        slow place and heading of the ship.
   /// @param velocity  of G [m/s] and of turning [rad/s] in E. Only what is not level of the first
   ///        and level of the second counts: the rest is the slow motion.
   /// @param way  velocity of the slow place in E [m/s], x and y.
@@ -47,7 +48,6 @@ class WettedHull {
   /// The next look() has no past: nothing comes in or goes out with it.
   void forget() noexcept { begun_ = false; }
 
-  const PressureHull& hull() const noexcept { return *hull_; }
   /// In E [N], about G in E [N·m].
   const Vec6& load() const noexcept { return load_; }
   double area() noexcept { return measured().area; }      ///< wetted [m²]
@@ -67,9 +67,8 @@ class WettedHull {
 
   /// s̄, 0 out of the water .. 1.
   double immersion() const noexcept { return mean_; }
-  std::span<const double> shares() const noexcept { return shares_; }
   /// Added mass now, in axes along heading and pitch, and what has come and gone since the last
-  /// look().  @param up  the vertical in those axes.
+  /// look().
   const ImmersedMass::Change& mass() const noexcept { return change_; }
   /// Some share has changed since the last look().
   bool massChanged() const noexcept { return massChanged_; }
@@ -109,6 +108,7 @@ class WettedHull {
   double near_ = 0.0;  // depth of the deepest vertex of which an edge may be cut [m]
   WettedTriangles::State state_;
   Columns columns_;
+  std::vector<std::array<double, 2>> towards_;  // of each wave: where it travels in E
   // Of each wave: factors of the flow along x and y of E, and ω′ [rad/s].
   std::vector<double> weightX_, weightY_, meets_;
   Place actual_, met_;

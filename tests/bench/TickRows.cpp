@@ -78,17 +78,24 @@ Row rowOf(const std::string& name, const Shared& c) {
   return row;
 }
 
-/// One tick of one ship, Bullet included; the floor is Bullet with a plain body.
+/// Seconds of one of so many ticks, Bullet included, after some to begin with; the floor is Bullet
+/// with as many plain bodies.
+void timeTicks(Fleet& fleet, int first, int ticks, int share, Row& row) {
+  fleet.step(first, kTick60);
+  const Time time = timeOf([&] { fleet.step(ticks, kTick60); });
+  const auto ships = static_cast<int>(fleet.seaway.ships().size());
+  row.seconds = time.seconds / share;
+  row.processor = time.processor / share;
+  row.floor = drySeconds(ships, ticks) / share;
+}
+
+/// One tick of one ship.
 void benchTick(std::string& csv, const std::string& name, const Shared& c, int components,
                double budget, const ShipSettings& settings = {}) {
   constexpr int kTicks = 20000;
   Fleet fleet(c, 1, components, settings);
-  fleet.step(10, kTick60);
   Row row = rowOf(name, c);
-  const Time time = timeOf([&] { fleet.step(kTicks, kTick60); });
-  row.seconds = time.seconds / kTicks;
-  row.processor = time.processor / kTicks;
-  row.floor = drySeconds(1, kTicks) / kTicks;
+  timeTicks(fleet, 10, kTicks, kTicks, row);
   row.budget = budget;
   row.checksum = fleet.checksum();
   add(csv, row);
@@ -210,19 +217,13 @@ void benchFleet(std::string& csv, const std::string& name, const Shared& c, int 
                 int components, const ShipSettings& settings, unsigned threads = 1) {
   constexpr int kTicks = 60;
   Fleet fleet(c, ships, components, settings, threads);
-  fleet.step(5, kTick60);
   Row row = rowOf(name, c);
   row.threads = static_cast<int>(threads);
-  const Time time = timeOf([&] { fleet.step(kTicks, kTick60); });
-  row.seconds = time.seconds;
-  row.processor = time.processor;
-  row.floor = drySeconds(ships, kTicks);
+  timeTicks(fleet, 5, kTicks, 1, row);
   row.budget = ships == 1000 ? 1.0 : 0.0;
   row.checksum = fleet.checksum();
   add(csv, row);
 }
-
-}  // namespace
 
 /// Nonlinear ship, Bullet included, as triangles and components grow. What of the waves' pressure
 /// so many triangles miss (PressureHull::pressureError) is the price of fewer.
@@ -232,13 +233,9 @@ void benchWetted(std::string& csv, const Shared& c, ShipSettings settings) {
     constexpr int kTicks = 4000;
     settings.model.hullTriangles = triangles;
     Fleet fleet(c, 1, components, settings);
-    fleet.step(10, kTick60);
     const PressureHull& hull = *fleet.seaway.ships().front()->pressureHull();
     Row row{name, hull.triangles().triangles() / 2, 1};
-    const Time time = timeOf([&] { fleet.step(kTicks, kTick60); });
-    row.seconds = time.seconds / kTicks;
-    row.processor = time.processor / kTicks;
-    row.floor = drySeconds(1, kTicks) / kTicks;
+    timeTicks(fleet, 10, kTicks, kTicks, row);
     row.budget = budget;
     row.checksum = hull.pressureError();
     add(csv, row);
@@ -251,6 +248,8 @@ void benchWetted(std::string& csv, const Shared& c, ShipSettings settings) {
     bench(name + "50 wave components; checksum: pressure missed", triangles, 50, 0.0);
   }
 }
+
+}  // namespace
 
 void benchTimeDomain(std::string& csv, const Coefficients& coefficients) {
   const auto c = std::make_shared<const Hydrodynamics>(coefficients);
