@@ -130,8 +130,6 @@ void Ship::makeWetted(const ShipModel& model) {
       std::make_shared<WettedHull>(pressureHull_, tables_, model.immersion == Immersion::Scaled);
 }
 
-TurningLimits Ship::turningLimits() const noexcept { return {fastest_, 0.5 * length()}; }
-
 // Speeds at which free motions grow, and the tick that the fastest of them can bear.
 void Ship::findLimits() {
   const auto grows = [&](const GrowthLimit& limit) {

@@ -21,7 +21,6 @@ class PredictedMotion;
 class PressureHull;
 class Resistance;
 class SeaTables;
-struct TurningLimits;
 struct Coefficients;
 struct CourseForces;
 struct Helm;
@@ -375,7 +374,6 @@ class Ship {
   void findWetted() noexcept;
   void lookAgain() noexcept;
   double energyAtTick() const noexcept;
-  TurningLimits turningLimits() const noexcept;
   void aimRestraint(double step) noexcept;
   bool free() const noexcept { return predicted_ != nullptr; }
   bool nonlinear() const noexcept { return wetted_ != nullptr; }

@@ -61,6 +61,10 @@ void Ship::findOwnMotion() noexcept {
   const double half = upright ? 0.5 * now.step : 0.0;
   now.ownAxes = ownAxes(angles.z() + half * now.ownVelocityNow[Yaw] / own(2, 2),
                         angles.y() + half * now.ownVelocityNow[Pitch]);
+  const double bow = std::hypot(now.attitude(0, 0), now.attitude(1, 0));
+  const TurningLimits limits{fastest_, 0.5 * length()};
+  now.turningShare =
+      free() ? limits.share(now.ownVelocityNow, nonlinear() ? bow : now.attitude(2, 2)) : 1.0;
 }
 
 // Where x = x_s + R_s d(x_s); returns d. The place that is expected is right but for what a tick

@@ -56,7 +56,7 @@ void Ship::makeParts(const ShipSettings& settings) {
     for (const WaveLoad load : {WaveLoad::FroudeKrylov, WaveLoad::Diffraction})
       database(std::make_unique<FreeWaveForce>(predicted_, load));
     auto radiation = std::make_unique<FreeRadiation>(hydrodynamics().radiation(), predicted_,
-                                                     settings.model.memory, turningLimits());
+                                                     settings.model.memory);
     radiation_ = radiation.get();
     database(std::move(radiation));
   } else {

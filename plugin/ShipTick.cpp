@@ -116,8 +116,7 @@ Vec3 Ship::turningOfAddedMass() const noexcept {
   const Vec6& nu = input_.ownVelocityNow;
   const Vec3 p = (addedMassNow() * nu).head<3>();
   const Mat3& own = input_.ownAxes;
-  const double share = turningLimits().share(nu, input_.attitude(2, 2));
-  const Vec3 cross = share * (own * nu.head<3>().cross(p));
+  const Vec3 cross = input_.turningShare * (own * nu.head<3>().cross(p));
   return momentOf(own, Vec3(0.0, -own.col(1).dot(cross), -cross.z()));
 }
 
@@ -283,9 +282,7 @@ void Ship::turnAddedMass(const Mat3& own) const noexcept {
   const Mat3 level = rotationZ(std::atan2(own(1, 0), own(0, 0)));
   const Mat3 world = frame_.axes();
   const auto inWorld = [&](const Mat3& axes) { return Mat3(world * axes * world.transpose()); };
-  const double share =
-      free() ? turningLimits().share(input_.ownVelocityNow, input_.attitude(2, 2)) : 1.0;
-  added().follow({inWorld(free() ? own : level), inWorld(own)}, world, share);
+  added().follow({inWorld(free() ? own : level), inWorld(own)}, world, input_.turningShare);
 }
 
 void Ship::aimRestraint(double step) noexcept {

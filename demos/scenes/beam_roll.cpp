@@ -1,9 +1,11 @@
 // A free ship without way in beam seas at its roll resonance, nonlinear beside linear, while a tug
 // holds its heading: beam_roll DATABASE.h5 [OUT.csv]
 // Look for: in low waves both roll alike. In high ones the linear ship rolls in proportion; the
-// nonlinear one leaves the resonance as its curve of righting levers bends. The frigate's is
-// straight to 40 degrees, the boat's falls off from 10: it rolls 16 degrees instead of 30.
+// nonlinear one leaves the resonance as its curve of righting levers bends, and the moment of the
+// waves bends with it. The frigate's is straight to 40 degrees, the boat's falls off from 10: it
+// rolls 16 degrees instead of 30.
 #include "demos/scenes/DemoShip.h"
+#include "hydro/excitation/WaveExcitation.h"
 #include "hydro/response/FrequencyResponse.h"
 #include "hydro/ship/StabilityRange.h"
 
@@ -56,16 +58,24 @@ double stiffness(Righting& righting, double amplitude) {
   return slope(amplitude) / slope(kDegree);
 }
 
-// Roll in the frequency domain with the stiffness that this very roll has [rad].
+// Roll in the frequency domain with the stiffness that this very roll has [rad]. GZ is of the roll
+// relative to the wave: what it takes from the stiffness it takes from the undisturbed wave's moment
+// as well, to first order in the wave's slope.
 double quasiLinear(Coefficients coefficients, const WaveComponent& wave) {
   Righting righting(coefficients.ship, RightingTrim::Free);
   const double c44 = coefficients.ship.restoring(Roll, Roll);
+  const WaveExcitation::Force force =
+      WaveExcitation(coefficients, ForwardSpeedForm::Tuck).at(wave.omega, wave.heading);
   double low = 0.0, high = 0.5 * kPi;
   for (int i = 0; i < 30; ++i) {
     const double roll = 0.5 * (low + high);
-    coefficients.ship.restoring(Roll, Roll) = c44 * stiffness(righting, roll);
+    const double share = stiffness(righting, roll);
+    coefficients.ship.restoring(Roll, Roll) = c44 * share;
+    CVec6 push = force.total();
+    push[Roll] -= (1.0 - share) * force.froudeKrylov[Roll];
     const FrequencyResponse response(coefficients, FrequencyResponse::Free{});
-    const double answer = wave.amplitude * std::abs(response.at(wave.omega, wave.heading)[Roll]);
+    const double answer =
+        wave.amplitude * std::abs(response.to(push, wave.omega, wave.heading)[Roll]);
     (answer > roll ? low : high) = roll;
   }
   return low;
@@ -91,10 +101,10 @@ bool run(Coefficients coefficients, DemoTable& table) {
     std::printf("waves of %.3g m\n", 2.0 * wave.amplitude);
     // 2 %: it drifts a little, and the fit of the memory.
     good &= agrees("  linear: roll [deg]", linear, degrees, 0.02 * degrees);
-    // Low waves leave no more than their square. In high ones GZ has a third harmonic, and the
-    // waves are steep.
-    // Beyond 10 degrees that theory is no bound: hulls leave the water on one side.
-    if (degrees > 10.0) {
+    // Low waves leave no more than their square. In high ones GZ has a third harmonic and heave
+    // changes it. Beyond 20 degrees that theory is no bound: the deck goes under, and the drift
+    // moves the frequency that the ship meets.
+    if (degrees > 20.0) {
       std::printf("  nonlinear: roll %.3g deg, by GZ at that roll %.3g deg\n", nonlinear, theory);
       good &= nonlinear < linear;
       continue;

@@ -46,6 +46,7 @@ struct TickInput {
   Mat3 ownAxesBefore = Mat3::Identity();  ///< those of the tick that ended at t_n
   Vec6 ownVelocity = Vec6::Zero();        ///< mean over that tick, in those
   Vec6 ownVelocityNow = Vec6::Zero();     ///< at t_n, in the axes of t_n
+  double turningShare = 1.0;  ///< of the turning of momentum, 1 within the theory (TurningLimits)
 
   // Frame H. On a fixed course it moves along it. A free ship's is its slow motion: the actual one
   // less the motion with which linear theory has the ship answer the waves; no filter. In calm

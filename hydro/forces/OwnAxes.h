@@ -46,7 +46,9 @@ struct TurningLimits {
   /// Far outside it, where the hull's ends move faster or the ship tilts beyond 30°, less, by the
   /// square of the ratio of speeds and down to none at 45°. A thrown ship stays bounded so: the two
   /// cancel in power in whichever share both are taken, and not in different ones.
-  /// @param own  velocities in own axes.  @param upright  cosine of the ship's tilt.
+  /// @param own  velocities in own axes.  @param upright  cosine of the tilt: with linear
+  ///             hydrostatics of the ship's, which hold no heeled hull; with those of the wetted
+  ///             hull of the bow's, as own axes do not roll and momentum turns with them alone.
   double share(const Vec6& own, double upright) const {
     const double ends = std::hypot(own.head<3>().norm(), halfLength * own.tail<3>().norm());
     const double ratio = ends > fastest ? fastest / ends : 1.0;

@@ -84,12 +84,16 @@ CMat6 FrequencyResponse::systemOfFree(double omega, double speed) const {
 }
 
 CVec6 FrequencyResponse::at(double omegaI, double heading, double speed) const {
+  CVec6 wave = excitation_->at(omegaI, heading, speed).total();
+  const double waveNumber = omegaI * omegaI / coefficients_.ship.gravity;
+  if (lift_) lift_->push(speed, lift_->orbital(omegaI, waveNumber, heading), wave);
+  return to(wave, omegaI, heading, speed);
+}
+
+CVec6 FrequencyResponse::to(const CVec6& wave, double omegaI, double heading, double speed) const {
   const ShipParticulars& ship = coefficients_.ship;
   const Encounter met(omegaI, speed, heading, ship.gravity);
   const double omega = met.frequency();
-  CVec6 wave = excitation_->at(omegaI, heading, speed).total();
-  if (lift_)
-    lift_->push(speed, lift_->orbital(omegaI, omegaI * omegaI / ship.gravity, heading), wave);
   const CVec6 force = met.conjugatedIfOvertaking(wave);
   CMat6 system = free_ ? systemOfFree(omega, speed) : systemOnCourse(omega, speed);
   const Mat6 restoring = free_ ? freeRestoring(ship.restoring) : ship.restoring;

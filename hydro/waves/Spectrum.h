@@ -38,10 +38,12 @@ struct SeaStateSettings {
   double spreading = 0.0;  ///< s of D(θ) ∝ cos^{2s}(θ/2); 0 = long-crested
   int components = 200;    ///< ≥ 1
   std::uint64_t seed = 1;
-  double omegaMin = 0.0;                            ///< [rad/s]; 0: 0.5 ω_p
-  double omegaMax = 0.0;                            ///< [rad/s]; 0: 4 ω_p
-  double ramp = 0.0;                                ///< [s]
-  WaveProfile profile = WaveProfile::Extrapolated;  ///< as SeaState's
+  double omegaMin = 0.0;  ///< [rad/s]; 0: 0.5 ω_p
+  double omegaMax = 0.0;  ///< [rad/s]; 0: 4 ω_p
+  double ramp = 0.0;      ///< [s]
+  /// As SeaState's. Extrapolated, short waves of a storm press twenty times too much on top of its
+  /// crests.
+  WaveProfile profile = WaveProfile::Wheeler;
 };
 
 /// ω [rad/s] from which and up to which a sea has components: as given, or as ω_p has it.

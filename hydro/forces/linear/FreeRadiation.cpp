@@ -22,12 +22,10 @@ Vec6 velocityOf(const Vec3& steady) {
 }  // namespace
 
 FreeRadiation::FreeRadiation(std::shared_ptr<const RadiationModel> model,
-                             std::shared_ptr<const PredictedMotion> predicted, MemoryModel memory,
-                             const TurningLimits& limits)
+                             std::shared_ptr<const PredictedMotion> predicted, MemoryModel memory)
     : model_(std::move(model)),
       predicted_(std::move(predicted)),
-      memoryModel_(memory),
-      limits_(limits) {
+      memoryModel_(memory) {
   // Takes ticks of any length, so it is made now, not in the first tick.
   if (memory == MemoryModel::Exponential) memory_ = model_->makeMemory(1.0 / 60.0);
 }
@@ -80,7 +78,7 @@ Wrench FreeRadiation::evaluate(const TickInput& now) noexcept {
   const Mat3& own = now.ownAxes;
   const double s = now.immersion;
   const Vec6 after = memory_->momentum(s * now.ownVelocity, now.step);
-  const double share = limits_.share(now.ownVelocityNow, now.attitude(2, 2));
+  const double share = now.turningShare;
   const Vec6 before =
       first ? after
             : Vec6(share * carried(momentum_, now.ownAxesBefore, now.ownAxesBefore, own, own) +

@@ -31,7 +31,7 @@ class FreeRadiation final : public ForceGenerator {
   /// @param limits  of its cross terms; those of the ship's A^∞ are the same.
   FreeRadiation(std::shared_ptr<const RadiationModel> model,
                 std::shared_ptr<const PredictedMotion> predicted,
-                MemoryModel memory = MemoryModel::Exponential, const TurningLimits& limits = {});
+                MemoryModel memory = MemoryModel::Exponential);
   ~FreeRadiation() override;
 
   std::string_view name() const noexcept override { return "radiation"; }
@@ -63,7 +63,6 @@ class FreeRadiation final : public ForceGenerator {
   std::shared_ptr<const PredictedMotion> predicted_;
   std::unique_ptr<RadiationMemory> memory_;  // null before prepare()
   MemoryModel memoryModel_;
-  TurningLimits limits_;
   Vec6 momentum_ = Vec6::Zero();  // q
   Vec3 steady_ = Vec3::Zero();    // s times slow u, v, r of the last tick
   double immersion_ = 1.0;        // s then; found anew by each tick
