@@ -65,12 +65,14 @@ struct Shore {
     }
   }
   Vec3 touching() { return contactImpulse(world.dispatcher, ship.body()); }
-  /// In the mean of some time [N]: what ground and hook carry, and what the water does not.
+  /// In the mean of some time [N]: what ground and hook carry, and what the water does not, with
+  /// what the ship's momentum has gained.
   struct Balance {
     double carried = 0.0, lacking = 0.0;
   };
   Balance balance(double seconds, btScalar step) {
     Balance mean;
+    const double before = ship.momentum()[Heave];
     const long ticks = std::lround(seconds / static_cast<double>(step));
     for (long i = 0; i < ticks; ++i) {
       tick(step);
@@ -79,6 +81,7 @@ struct Shore {
       mean.carried += carried / static_cast<double>(ticks);
       mean.lacking += lacks() / static_cast<double>(ticks);
     }
+    mean.lacking += (ship.momentum()[Heave] - before) / seconds;
     return mean;
   }
   double weight() const { return particulars.mass * particulars.gravity; }  ///< [N]

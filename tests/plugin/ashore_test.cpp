@@ -148,8 +148,8 @@ TEST(AshoreClosedForm, ABeachHoldsAShipByFrictionAlone) {
     }
   }
   recordResult(kTopic, named("on a beach: weight carried, off, of it"), "m g - rho g V", worst,
-               "1e-3");
-  EXPECT_LT(worst, 1e-3);  // the momentum of its rocking at both ends of 20 s
+               "1e-4");
+  EXPECT_LT(worst, 1e-4);  // it rocks; single precision has its momentum to 1e-5 of weight x 1 s
 }
 
 void makeHeavier(Shore& shore, double times) {
