@@ -1,0 +1,180 @@
+// What an engineer asks for, over the picture: force arrows by part, G, the track over ground, a tow
+// line, pressure on the wetted faces. Numbers are the run's; lengths and colours have their legend.
+import * as THREE from "three";
+import { waterAt } from "./wave.js";
+import { rotate } from "./motion.js";
+
+/// Colours of force parts, told apart by colour-blind readers too (M. Okabe and K. Ito).
+export const PART_COLOURS = ["#e69f00", "#56b4e9", "#2ee6a8", "#f0e442", "#4c8dff", "#ff7a33",
+  "#e08bc0", "#ffffff", "#b0b0b0", "#a0e060", "#d0a070", "#80c0c0", "#c080ff", "#ff8080"];
+
+/// 1, 2 or 5 times a power of ten, at least x.
+export function niceAbove(x) {
+  const power = 10 ** Math.floor(Math.log10(x));
+  return [1, 2, 5, 10].find((m) => m * power >= x * (1 - 1e-9)) * power;
+}
+
+/// rho g (H - z) [kPa] at each point of a hull {points: in ship axes} at a pose {position, q}; below
+/// 0 where the point is dry. place.z is above calm water.
+export function pressures(points, pose, sea, t, density, out) {
+  const factor = (density * sea.gravity) / 1000;
+  for (let v = 0; v < points.length / 3; ++v) {
+    const r = rotate(pose.q, [points[3 * v], points[3 * v + 1], points[3 * v + 2]]);
+    const z = pose.position[2] + r[2];
+    const { head } = waterAt(sea, t, pose.position[0] + r[0], pose.position[1] + r[1], z);
+    out[v] = factor * (head - z);
+  }
+  return out;
+}
+
+const onTop = { depthTest: false, depthWrite: false, transparent: true, toneMapped: false };
+
+function makeArrow(colour) {
+  const material = new THREE.MeshBasicMaterial({ color: colour, opacity: 0.95, ...onTop });
+  const shaft = new THREE.Mesh(new THREE.CylinderGeometry(1, 1, 1, 10), material);
+  const head = new THREE.Mesh(new THREE.ConeGeometry(1, 1, 14), material);
+  const group = new THREE.Group();
+  group.add(shaft, head);
+  group.traverse((o) => {
+    o.renderOrder = 20;
+    o.frustumCulled = false;
+  });
+  const up = new THREE.Vector3(0, 1, 0);
+  const direction = new THREE.Vector3();
+  return {
+    group,
+    set(from, vector, thick) {
+      const length = vector.length();
+      group.visible = length > 1.5 * thick;
+      if (!group.visible) return;
+      const tip = Math.min(6 * thick, 0.5 * length);
+      group.position.copy(from);
+      group.quaternion.setFromUnitVectors(up, direction.copy(vector).divideScalar(length));
+      shaft.scale.set(thick, length - tip, thick);
+      shaft.position.y = 0.5 * (length - tip);
+      head.scale.set(2.6 * thick, tip, 2.6 * thick);
+      head.position.y = length - 0.5 * tip;
+    },
+  };
+}
+
+/// Track: `count` points of a body's run, past and future apart by brightness.
+function makeTrackLine(count) {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(3 * count), 3));
+  geometry.setAttribute("color", new THREE.BufferAttribute(new Float32Array(4 * count), 4));
+  const line = new THREE.Line(geometry, new THREE.LineBasicMaterial({ vertexColors: true, ...onTop }));
+  line.frustumCulled = false;
+  line.renderOrder = 15;
+  return line;
+}
+
+export function makeOverlay(bodies) {
+  const group = new THREE.Group();
+  const TRACK = 500;
+  const perBody = bodies.map((body) => {
+    const parts = body.run?.parts ?? [];
+    const arrows = parts.map((_, i) => makeArrow(PART_COLOURS[i % PART_COLOURS.length]));
+    arrows.forEach((a) => group.add(a.group));
+    const line = makeTrackLine(TRACK);
+    group.add(line);
+    const mark = new THREE.Mesh(new THREE.SphereGeometry(1, 16, 12),
+      new THREE.MeshBasicMaterial({ color: "#ffffff", ...onTop }));
+    mark.renderOrder = 19;
+    const rope = makeTrackLine(24);
+    rope.visible = false;
+    rope.material.depthTest = true;
+    group.add(mark, rope);
+    return { parts, arrows, line, mark, rope, forces: null, loading: false };
+  });
+
+  const loadForces = async (entry, body, done) => {
+    entry.loading = true;
+    const forces = await Promise.all(entry.parts.map((part) =>
+      Promise.all([1, 2, 3].map(async (j) => {
+        const column = body.run.columns.find(({ name }) => name === `${part}_F${j}`);
+        return column ? column.values ?? column.load() : null;
+      }))));
+    entry.forces = forces;
+    done();
+  };
+
+  /// Force [N] of each part at row {i, f}, in axes that turn with the heading.
+  const forcesAt = (entry, { i, f }) => entry.forces.map((axes) =>
+    axes.map((v) => (v ? v[i] + (f === 0 ? 0 : f * (v[i + 1] - v[i])) : 0)));
+
+  return {
+    group,
+    /// Brings all to time t. show: {forces, centre, track}; newtonsPerMetre scales arrows.
+    /// Returns per body the force of each part, or null while they are being read.
+    update({ t, origin, poses, show, rows, scaleOf, changed }) {
+      return perBody.map((entry, n) => {
+        const body = bodies[n];
+        const pose = poses[n];
+        const place = new THREE.Vector3(
+          pose.position[0] - origin[0], pose.position[1] - origin[1], pose.position[2]);
+        entry.mark.visible = show.centre;
+        entry.mark.position.copy(place);
+        entry.mark.scale.setScalar(0.006 * body.length);
+        updateTrack(entry.line, body.track, t, origin, show.track, TRACK);
+        updateRope(entry.rope, body, pose, poses, bodies, origin);
+        entry.arrows.forEach((a) => { a.group.visible = false; });
+        if (!show.forces || entry.parts.length === 0) return null;
+        if (!entry.forces) {
+          if (!entry.loading) loadForces(entry, body, changed);
+          return null;
+        }
+        const forces = forcesAt(entry, rows[n]);
+        const yaw = (pose.yaw * Math.PI) / 180;
+        const [c, s] = [Math.cos(yaw), Math.sin(yaw)];
+        forces.forEach(([x, y, z], i) => {
+          const v = new THREE.Vector3(c * x - s * y, s * x + c * y, z).divideScalar(scaleOf(n));
+          entry.arrows[i].set(place, v, 0.0045 * body.length);
+        });
+        return forces;
+      });
+    },
+    dispose() {
+      group.traverse((o) => {
+        o.geometry?.dispose();
+        o.material?.dispose();
+      });
+    },
+  };
+}
+
+function updateTrack(line, track, t, origin, visible, count) {
+  line.visible = visible && track.end > track.start;
+  if (!line.visible) return;
+  const place = line.geometry.attributes.position;
+  const colour = line.geometry.attributes.color;
+  for (let i = 0; i < count; ++i) {
+    const time = track.start + ((track.end - track.start) * i) / (count - 1);
+    const p = track.at(time).position;
+    place.setXYZ(i, p[0] - origin[0], p[1] - origin[1], 0.3);
+    const past = time <= t;
+    colour.setXYZW(i, 1, past ? 0.85 : 1, past ? 0.4 : 1, past ? 0.9 : 0.22);
+  }
+  place.needsUpdate = true;
+  colour.needsUpdate = true;
+}
+
+/// A line from a point of this body to a point of another, where the run says so:
+/// tow = {to: name of the other run, from: [x, y, z], at: [x, y, z]} about each body's G.
+function updateRope(rope, body, pose, poses, bodies, origin) {
+  const other = body.tow ? bodies.findIndex(({ name }) => name === body.tow.to) : -1;
+  rope.visible = other >= 0;
+  if (!rope.visible) return;
+  const end = (p, at) => rotate(p.q, at).map((v, i) => v + p.position[i] - (i < 2 ? origin[i] : 0));
+  const [a, b] = [end(pose, body.tow.from), end(poses[other], body.tow.at)];
+  const place = rope.geometry.attributes.position;
+  const sag = 0.03 * Math.hypot(...a.map((v, i) => b[i] - v));
+  for (let i = 0; i < place.count; ++i) {
+    const f = i / (place.count - 1);
+    place.setXYZ(i, a[0] + f * (b[0] - a[0]), a[1] + f * (b[1] - a[1]),
+      a[2] + f * (b[2] - a[2]) - 4 * sag * f * (1 - f));
+    rope.geometry.attributes.color.setXYZW(i, 0.05, 0.05, 0.05, 1);
+  }
+  place.needsUpdate = true;
+  rope.geometry.attributes.color.needsUpdate = true;
+}
