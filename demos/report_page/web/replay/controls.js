@@ -3,61 +3,6 @@
 
 export const SPEEDS = [0.25, 0.5, 1, 2, 5, 10];
 
-const STYLE = `
-.cw-replay { position: relative; width: 100%; aspect-ratio: 16 / 9; overflow: hidden; background: #1b2430;
-  color: #f2f4f6; font: 13px/1.35 system-ui, sans-serif; --cw-glass: rgba(12, 18, 26, 0.62); user-select: none; }
-.cw-replay:fullscreen { aspect-ratio: auto; }
-.cw-replay canvas { display: block; width: 100%; height: 100%; touch-action: none; cursor: grab; outline-offset: -3px; }
-.cw-replay canvas:active { cursor: grabbing; }
-.cw-replay .panel { position: absolute; background: var(--cw-glass); border-radius: 6px; padding: 6px 10px; }
-.cw-replay .read { top: 10px; left: 10px; display: grid; grid-template-columns: auto auto auto; column-gap: 8px;
-  font-variant-numeric: tabular-nums; pointer-events: none; }
-.cw-replay .read b { font-weight: 600; text-align: right; }
-.cw-replay .read span { opacity: 0.8; }
-.cw-replay .about { top: 10px; right: 10px; max-width: 40%; text-align: right; }
-.cw-replay .about small { display: block; opacity: 0.8; }
-.cw-replay .about select { max-width: 100%; }
-.cw-replay .legend { right: 10px; bottom: 58px; display: grid; gap: 8px; pointer-events: none; max-width: 46%; }
-.cw-replay .legend:empty, .cw-replay [hidden] { display: none !important; }
-.cw-replay .legend i { display: inline-block; width: 12px; height: 12px; border-radius: 2px; margin-right: 6px; vertical-align: -1px; }
-.cw-replay .parts { display: grid; grid-template-columns: auto auto; column-gap: 12px; font-variant-numeric: tabular-nums; }
-.cw-replay .parts b { text-align: right; font-weight: 600; }
-.cw-replay .ramp { height: 10px; width: 220px; max-width: 100%; border-radius: 2px; }
-.cw-replay .ticks { display: flex; justify-content: space-between; width: 220px; max-width: 100%; font-variant-numeric: tabular-nums; }
-.cw-replay .rule { left: 14px; bottom: 58px; background: none; padding: 0; pointer-events: none; text-shadow: 0 0 3px #000; }
-.cw-replay .rule div { height: 5px; border: 2px solid #fff; border-top: 0; box-sizing: border-box; filter: drop-shadow(0 0 1px #000); }
-.cw-replay .bar { left: 10px; right: 10px; bottom: 10px; display: flex; align-items: center; gap: 8px; flex-wrap: nowrap; padding: 6px 8px; }
-.cw-replay .bar input[type=range] { flex: 1 1 60px; min-width: 40px; accent-color: #f2b26b; }
-.cw-replay button, .cw-replay select, .cw-replay summary { font: inherit; color: inherit; background: rgba(255, 255, 255, 0.10);
-  border: 1px solid rgba(255, 255, 255, 0.22); border-radius: 4px; padding: 3px 8px; cursor: pointer; white-space: nowrap; }
-.cw-replay select option { color: #111; background: #fff; }
-.cw-replay button[aria-pressed=true] { background: #f2b26b; color: #1b1206; border-color: #f2b26b; }
-.cw-replay button:hover, .cw-replay select:hover, .cw-replay summary:hover { background-color: rgba(255, 255, 255, 0.22); }
-.cw-replay button[aria-pressed=true]:hover { background: #ffc98c; }
-.cw-replay :focus-visible { outline: 2px solid #f2b26b; outline-offset: 1px; }
-.cw-replay .play { min-width: 4.6em; }
-.cw-replay .time { min-width: 8.5em; text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
-.cw-replay details { position: relative; }
-.cw-replay summary { list-style: none; }
-.cw-replay summary::-webkit-details-marker { display: none; }
-.cw-replay .menu { position: absolute; right: 0; bottom: calc(100% + 12px); background: rgba(12, 18, 26, 0.88); border-radius: 6px;
-  padding: 8px 12px; white-space: nowrap; display: grid; gap: 4px; z-index: 2; }
-.cw-replay .menu label { cursor: pointer; }
-.cw-replay .set { display: inline-flex; }
-.cw-replay .set button { border-radius: 0; margin-left: -1px; }
-.cw-replay .set button:first-child { border-radius: 4px 0 0 4px; margin-left: 0; }
-.cw-replay .set button:last-child { border-radius: 0 4px 4px 0; }
-.cw-note { font-size: 0.85em; opacity: 0.85; margin: 0.5em 0 0; }
-@media (max-width: 820px) {
-  .cw-replay { font-size: 11.5px; aspect-ratio: 4 / 3; }
-  .cw-replay .bar { flex-wrap: wrap; }
-  .cw-replay .bar input[type=range] { flex: 1 1 100%; order: -1; }
-  .cw-replay .legend, .cw-replay .rule { bottom: 92px; }
-  .cw-replay .about small { display: none; }
-}
-@media print { .cw-replay .bar { display: none; } }
-`;
-
 const make = (tag, attributes = {}, ...children) => {
   const node = document.createElement(tag);
   for (const [key, value] of Object.entries(attributes)) {
@@ -91,14 +36,12 @@ const clock = (t) => {
 /// act: {toggle, seek, speed, camera, overlay, scene, body, gain, key} are called with the user's
 /// wishes; names of scenes come in `scenes`.
 export function makeControls(root, scenes, act) {
-  const style = make("style");
-  style.textContent = STYLE;
   const canvas = make("canvas", {
     tabindex: "0", role: "img",
     "aria-label": "The ship in its sea. Space plays and pauses, arrow keys move in time, " +
       "1 to 3 choose the camera, plus and minus change the speed.",
   });
-  const read = make("div", { class: "panel read", "aria-hidden": "true" });
+  const read = make("div", { class: "cw-panel cw-read", "aria-hidden": "true" });
   const cells = {};
   for (const [key, name, unit] of [["t", "time", "s"], ["heave", "heave", "m"], ["roll", "roll", "°"],
     ["pitch", "pitch", "°"], ["speed", "speed", "m/s"], ["zeta", "wave at G", "m"]]) {
@@ -109,31 +52,31 @@ export function makeControls(root, scenes, act) {
     ...scenes.map((name, i) => make("option", { value: i }, name)));
   const bodyList = make("select", { "aria-label": "Body in view", onchange: (e) => act.body(Number(e.target.value)) });
   const about = make("small");
-  const aboutPanel = make("div", { class: "panel about" });
+  const aboutPanel = make("div", { class: "cw-panel cw-about" });
   sceneList.hidden = scenes.length < 2;
   aboutPanel.append(sceneList, " ", bodyList, about);
-  const legend = make("div", { class: "panel legend" });
+  const legend = make("div", { class: "cw-panel cw-legend" });
   const ruleBar = make("div");
   const ruleText = make("span");
-  const rule = make("div", { class: "panel rule" }, ruleText, ruleBar);
+  const rule = make("div", { class: "cw-panel cw-rule" }, ruleText, ruleBar);
 
-  const play = make("button", { class: "play", type: "button", title: "Space", onclick: () => act.toggle() });
+  const play = make("button", { class: "cw-play", type: "button", title: "Space", onclick: () => act.toggle() });
   const slider = make("input", {
     type: "range", min: 0, max: 1000, step: "any", "aria-label": "Time",
     oninput: (e) => act.seek(Number(e.target.value)),
   });
-  const time = make("span", { class: "time" });
+  const time = make("span", { class: "cw-time" });
   const speed = make("select", { "aria-label": "Speed of the replay", onchange: (e) => act.speed(Number(e.target.value)) },
     ...SPEEDS.map((s) => make("option", { value: s }, s === 0.25 ? "¼ speed" : s === 0.5 ? "½ speed" : s === 1 ? "real speed" : `${s} ×`)));
   const cameraButtons = new Map();
-  const cameras = make("span", { class: "set", role: "group", "aria-label": "Camera" },
+  const cameras = make("span", { class: "cw-set", role: "group", "aria-label": "Camera" },
     ...[["follow", "Follow"], ["orbit", "Orbit"], ["bridge", "Bridge"]].map(([kind, name], i) => {
       const button = make("button", { type: "button", title: `key ${i + 1}`, onclick: () => act.camera(kind) }, name);
       cameraButtons.set(kind, button);
       return button;
     }));
   const boxes = new Map();
-  const menu = make("div", { class: "menu" }, ...OVERLAYS.map(([key, name, letter]) => {
+  const menu = make("div", { class: "cw-menu" }, ...OVERLAYS.map(([key, name, letter]) => {
     const box = make("input", { type: "checkbox", onchange: (e) => act.overlay(key, e.target.checked) });
     boxes.set(key, box);
     return make("label", { title: `key ${letter}` }, box, ` ${name}`);
@@ -146,9 +89,9 @@ export function makeControls(root, scenes, act) {
     onclick: () => (document.fullscreenElement ? document.exitFullscreen() : box.requestFullscreen?.()),
   }, "⛶");
   full.setAttribute("aria-label", "Full screen");
-  const bar = make("div", { class: "panel bar" }, play, slider, time, speed, cameras,
+  const bar = make("div", { class: "cw-panel cw-bar" }, play, slider, time, speed, cameras,
     make("details", {}, make("summary", {}, "Show"), menu), full);
-  const box = make("div", { class: "cw-replay" }, style, canvas, read, aboutPanel, legend, rule, bar);
+  const box = make("div", { class: "cw-replay" }, canvas, read, aboutPanel, legend, rule, bar);
   const note = make("p", { class: "cw-note" });
   root.replaceChildren(box, note);
 
@@ -204,10 +147,10 @@ export function makeControls(root, scenes, act) {
     setLegend({ pressure, forces }) {
       const blocks = [];
       if (pressure) {
-        const ramp = make("div", { class: "ramp" });
+        const ramp = make("div", { class: "cw-ramp" });
         ramp.style.background = `linear-gradient(90deg, ${pressure.colours.join(", ")})`;
         blocks.push(make("div", {}, make("div", {}, "pressure of the water, kPa"), ramp,
-          make("div", { class: "ticks" }, ...[0, 0.25, 0.5, 0.75, 1].map((f) =>
+          make("div", { class: "cw-ticks" }, ...[0, 0.25, 0.5, 0.75, 1].map((f) =>
             make("span", {}, String(Number((f * pressure.top).toPrecision(3))))))));
       }
       if (forces) {
@@ -216,7 +159,7 @@ export function makeControls(root, scenes, act) {
           dot.style.background = colour;
           return [make("span", {}, dot, name), make("b", {}, value)];
         });
-        blocks.push(make("div", {}, make("div", { class: "parts" }, ...rows), make("small", {}, forces.text)));
+        blocks.push(make("div", {}, make("div", { class: "cw-parts" }, ...rows), make("small", {}, forces.text)));
       }
       legend.replaceChildren(...blocks);
     },

@@ -1,6 +1,6 @@
 // What stands on a bare hull: bridge, mast, funnel, boats of simple blocks, scaled to the ship.
 // Decoration only: nothing of it is in the run. A hull file that has its own houses gets none.
-import { PAINT } from "./hull.js";
+import { PAINT } from "./mesh.js";
 
 /// Heights of a hull: the top of its deck at x, y by the faces above that point, and how far the
 /// deck reaches to port at x. In ship axes [m].

@@ -1,31 +1,11 @@
 // What an engineer asks for, over the picture: force arrows by part, G, the track over ground, a tow
 // line, pressure on the wetted faces. Numbers are the run's; lengths and colours have their legend.
 import * as THREE from "three";
-import { waterAt } from "./wave.js";
 import { rotate } from "./motion.js";
 
 /// Colours of force parts, told apart by colour-blind readers too (M. Okabe and K. Ito).
 export const PART_COLOURS = ["#e69f00", "#56b4e9", "#2ee6a8", "#f0e442", "#4c8dff", "#ff7a33",
   "#e08bc0", "#ffffff", "#b0b0b0", "#a0e060", "#d0a070", "#80c0c0", "#c080ff", "#ff8080"];
-
-/// 1, 2 or 5 times a power of ten, at least x.
-export function niceAbove(x) {
-  const power = 10 ** Math.floor(Math.log10(x));
-  return [1, 2, 5, 10].find((m) => m * power >= x * (1 - 1e-9)) * power;
-}
-
-/// rho g (H - z) [kPa] at each point of a hull {points: in ship axes} at a pose {position, q}; below
-/// 0 where the point is dry. place.z is above calm water.
-export function pressures(points, pose, sea, t, density, out) {
-  const factor = (density * sea.gravity) / 1000;
-  for (let v = 0; v < points.length / 3; ++v) {
-    const r = rotate(pose.q, [points[3 * v], points[3 * v + 1], points[3 * v + 2]]);
-    const z = pose.position[2] + r[2];
-    const { head } = waterAt(sea, t, pose.position[0] + r[0], pose.position[1] + r[1], z);
-    out[v] = factor * (head - z);
-  }
-  return out;
-}
 
 const onTop = { depthTest: false, depthWrite: false, transparent: true, toneMapped: false };
 

@@ -3,9 +3,11 @@
 import * as THREE from "three";
 import { decorate, makeDeck } from "./decoration.js";
 import { fineSquare, makeGrid } from "./grid.js";
-import { hullArrays, hullGeometry, hullMaterial, PAINT } from "./hull.js";
+import { hullGeometry, hullMaterial } from "./hull.js";
+import { hullArrays, PAINT } from "./mesh.js";
 import { rowAt } from "./motion.js";
-import { makeOverlay, niceAbove, PART_COLOURS, pressures } from "./overlay.js";
+import { makeOverlay, PART_COLOURS } from "./overlay.js";
+import { niceAbove, pressures } from "./pressure.js";
 import { makeSums } from "./sums.js";
 import { makeSurface, MAX_BODIES } from "./surface.js";
 import { elevation, rampAt, shortestLength } from "./wave.js";
