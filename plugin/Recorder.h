@@ -22,7 +22,7 @@ struct RecorderSettings {
 ///   t,x,y,z,roll_deg,pitch_deg,yaw_deg,u,v,w,p,q,r,wave
 /// with wetted, what of the hull was in the water (Ship::wetted), its centre of buoyancy [m] in E:
 ///   wetted_area,submerged_volume,buoyancy_x,buoyancy_y,buoyancy_z,immersion
-/// with forces <part>_F1 … <part>_F6 for each part of the load, in the order of Ship::parts().
+/// with forces PART_F1 … PART_F6 for each part of the load, in the order of Ship::parts().
 /// A row is the state at t_n and the loads evaluated from it (TickRecord): x, y, z of G [m] in E; u
 /// … r [m/s, rad/s] in B; forces [N] in H, moments [N·m] about G in upright axes with the ship's
 /// heading. A part that joins while it records gets columns that hold 0 in the rows before; one

@@ -59,8 +59,8 @@ double stiffness(Righting& righting, double amplitude) {
 }
 
 // Roll in the frequency domain with the stiffness that this very roll has [rad]. GZ is of the roll
-// relative to the wave: what it takes from the stiffness it takes from the undisturbed wave's moment
-// as well, to first order in the wave's slope.
+// relative to the wave: what it takes from the stiffness it takes from the undisturbed wave's
+// moment as well, to first order in the wave's slope.
 double quasiLinear(Coefficients coefficients, const WaveComponent& wave) {
   Righting righting(coefficients.ship, RightingTrim::Free);
   const double c44 = coefficients.ship.restoring(Roll, Roll);

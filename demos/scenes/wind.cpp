@@ -11,6 +11,7 @@ namespace {
 constexpr double kWind = 20.0, kHeight = 9.0;        // [m/s] to port; [m] over G
 constexpr double kDrag = 0.5 * 1.225 * 1.0 * 900.0;  // ½ρ C A [N/(m/s)²]
 
+//! [part]
 // Drag of the superstructure in the wind that the ship feels. In E, about G.
 class Wind final : public ForceGenerator {
  public:
@@ -23,6 +24,7 @@ class Wind final : public ForceGenerator {
     return wrench;
   }
 };
+//! [part]
 
 // Where m g GZ carries the moment of the wind [rad].
 double heeled(const ShipParticulars& ship) {
@@ -40,7 +42,9 @@ bool run(const Coefficients& frigate, DemoTable& table) {
   Seaway calm(bullet.world);
   const ShipModel moored{.restrained = {true, true, false, false, false, true}};
   Ship& ship = calm.addShip(frigate, {.model = moored});
+  //! [add]
   ship.addForce(std::make_unique<Wind>());
+  //! [add]
   const auto roll = [&] { return ship.attitude().x() * 180.0 / kPi; };
   for (int i = 0; i < 600 * 50; ++i) {
     bullet.world.stepSimulation(0.02, 1, 0.02);

@@ -22,7 +22,7 @@ struct MeshReadOptions {
 
 /// How a file's own axes lie in hull axes with these options; readHull and readRepaired note it in
 /// Hull::file. The file's own axes are those after its scene nodes are placed and, in COLLADA, its
-/// <unit> is turned to metres, as engines do when they load such a file.
+/// element `unit` is turned to metres, as engines do when they load such a file.
 /// @throws HydroError BadArgument, ValueOutOfRange, naming the option.
 FilePlacement filePlacement(const MeshReadOptions& options);
 

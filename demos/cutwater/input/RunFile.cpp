@@ -134,7 +134,7 @@ void readMean(TomlSection& motion, ShipModel& model) {
     motion.refuse("mean",
                   "= \"filtered\" is no more; \"free\" is the ship that is free to go, "
                   "\"fixed\" one on a steady course");
-  if (motion.has("follow_time"))
+  if (motion.holds("follow_time"))
     motion.refuse("follow_time", "is no more: a free ship needs no filter");
   model.mean = mean == "free" ? Mean::Free : Mean::Fixed;
 }

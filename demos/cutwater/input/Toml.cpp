@@ -124,7 +124,12 @@ std::vector<double> fromToStep(TomlSection range, double low, double high) {
 
 }  // namespace
 
-bool TomlSection::has(const std::string& key) const { return state_->find(key) != nullptr; }
+bool TomlSection::has(const std::string& key) const {
+  state_->asked.insert(key);
+  return holds(key);
+}
+
+bool TomlSection::holds(const std::string& key) const { return state_->find(key) != nullptr; }
 
 void TomlSection::refuse(const std::string& key, const std::string& reason) const {
   const toml::node* node = state_->find(key);
@@ -246,10 +251,7 @@ std::vector<std::pair<double, double>> TomlSection::pairs(const std::string& key
 
 Vec3 TomlSection::vector(const std::string& key, const Vec3& fallback) {
   constexpr double kFar = 1e6;
-  if (!has(key)) {
-    state_->asked.insert(key);
-    return fallback;
-  }
+  if (!has(key)) return fallback;
   const std::vector<double> values = numbers(key, {}, -kFar, kFar);
   if (!state_->find(key)->is_array() || values.size() != 3) refuse(key, "must be three numbers");
   return {values[0], values[1], values[2]};

@@ -13,7 +13,10 @@ namespace cutwater::command {
 /// "file: [table] key = value: reason".
 class TomlSection {
  public:
+  /// Whether the file gives a value. The key counts as known from then on.
   bool has(const std::string& key) const;
+  /// The same of a key that is no more, to be refused by its own message.
+  bool holds(const std::string& key) const;
   /// A finite number in [low, high], or `fallback` where the key is absent.
   double number(const std::string& key, double fallback, double low, double high);
   int integer(const std::string& key, int fallback, int low, int high);
