@@ -34,6 +34,7 @@ CUTWATER_PLUGIN_BEGIN
 /// 0 along an axis of the world is held there by Bullet; it moves with M + A∞ in the others,
 /// P A∞ P with P = diag(0 or 1). btMLCPSolver mishandles constraints with one body and must not be
 /// used.
+/// THEORY.md, chapter 10.
 class AddedMassConstraint : public btTypedConstraint {
  public:
   /// @param body      a dynamic body; keeps its own mass and inertia; must outlive this object.

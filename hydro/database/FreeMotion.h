@@ -10,7 +10,7 @@ struct SteadyWay {
   bool operator==(const SteadyWay&) const = default;
 };
 
-/// The free ship, linearised about a steady way (THEORY.md, The free ship). Motion ξ e^{st} about
+/// The free ship, linearised about a steady way (THEORY.md, chapter 8). Motion ξ e^{st} about
 /// it in axes of the steady heading; the water's momentum p = A ν in axes that follow the ship's
 /// own heading and pitch; s = iω′ for waves.
 ///

@@ -15,6 +15,7 @@ namespace cutwater {
 /// and yaw follow by their couplings, and what is left of them, A_rest ≥ 0, goes with the mean s̄.
 /// All terms are ≥ 0: strips that come in add mass, strips that leave take theirs away. Axes and
 /// units of A∞. Immutable.
+/// THEORY.md, chapter 9.
 class ImmersedMass {
  public:
   /// @param addedMass  A∞ about G; its antisymmetric part and what of it is below 0 are dropped.

@@ -61,7 +61,7 @@ struct TurningLimits {
 
 /// Momentum of the water, force part p_F and moment part p_M, both in R, as the ship's next axes
 /// see it that have turned meanwhile: it stands still in E, but for its part about x, which turns
-/// with the ship.                                                      THEORY.md, The free ship
+/// with the ship.                                                      THEORY.md, chapter 8
 inline Vec6 carried(const Vec6& momentum, const Mat3& linearThen, const Mat3& angularThen,
                     const Mat3& linearNow, const Mat3& angularNow) {
   const Vec3 moment = angularThen * momentum.tail<3>();

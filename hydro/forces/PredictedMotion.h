@@ -11,7 +11,7 @@ namespace cutwater {
 
 /// What linear theory says of a free ship in a sea, one phasor per component: the waves' load, and
 /// the motion with which the ship answers it. The ship's slow motion is its actual one less this
-/// (THEORY.md, The free ship):
+/// (THEORY.md, chapter 8):
 ///     x_s = x − R_s Re Σ_i w_i a_i ξ̂_i e^{i(ω_i t − k_i·x_s + ε_i)}
 /// Amplitudes belong to a slow heading, speed and leeway. Each component's are renewed as these
 /// drift, some components a tick, so that none is older than a turn of one degree, or than half a

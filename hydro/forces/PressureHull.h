@@ -16,6 +16,7 @@ bool hasClosedHull(const ShipParticulars& ship);
 /// thinned to the triangles that it may have, and then refined as far as they go until its edges
 /// are short against its strips and the waves. Made once for all ships of a database in a sea;
 /// immutable.
+/// THEORY.md, chapter 9.
 class PressureHull {
  public:
   static constexpr std::size_t kMostStrips =

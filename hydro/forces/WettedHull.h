@@ -17,7 +17,7 @@ namespace cutwater {
 /// H the dynamic head of the sea's profile (WaterPressure.h), taken at each vertex of the hull.
 /// The level force and the turning moment are those of this pressure but for their mean: they are
 /// the rate of the undisturbed water's momentum in the hull, as waves push no hull along at first
-/// order (THEORY.md, The wetted hull). Of a hull that is held they are those of the pressure.
+/// order (THEORY.md, chapter 9). Of a hull that is held they are those of the pressure.
 /// One ship's; one thread. Allocates in its constructor only.
 class WettedHull {
  public:

@@ -13,6 +13,7 @@ namespace cutwater {
 ///     const RadiationModel model(coefficients, form);
 ///     const auto memory = model.makeMemory(0.02);   // of one ship
 /// Immutable but for the fit and tables, which are made when first asked for. Any thread may call.
+/// THEORY.md, chapter 7.
 class RadiationModel {
  public:
   /// @param coefficients need not outlive this object.

@@ -31,6 +31,7 @@ inline constexpr double kLeastEncounterFrequency = 0.1;
 ///   {−ω′²M + iω′B_s + C + C_s + Q(U) + lift} η̂ = F_I + F_D + lift of the orbital velocity
 /// with Q of database/FreeMotion.h, Tuck's form and what A₁₁ adds to it, Tuck's form of F_D, no
 /// stiffness given for surge, sway and yaw, and the lift of the hull (HullLiftFactors.h).
+/// THEORY.md, chapter 1.
 class FrequencyResponse {
  public:
   /// Of a free ship.

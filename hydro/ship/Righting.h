@@ -34,6 +34,7 @@ struct RightingLever {
 /// Height is unique. Trim need not be: the trim told is the one that the ship comes to when it is
 /// heeled from upright in steps of a degree or less, whether it is stable or not. So a lever does
 /// not depend on what else was asked. Where that trim ends it goes to the next one: trimJumps().
+/// THEORY.md, chapter 2.
 class Righting {
  public:
   /// @throws HydroError as StillWater; ValueOutOfRange if the mass exceeds what the closed hull

@@ -20,6 +20,7 @@ namespace cutwater {
 /// with the extrapolated profile e^{kζ} shows it. Above 2⁶⁴ it is taken as 2⁶⁴, which is finite.
 /// Costs in hydro/decisions/0102-water-at-many-points.md. One object for each thread, as it has
 /// its own scratch.
+/// THEORY.md, chapter 9.
 class WaterPressure {
  public:
   /// Points are so many at a time: arrays of them are a multiple of this long. Who has fewer

@@ -21,6 +21,7 @@ namespace cutwater {
 ///     τ  = 2 √(L/g); propeller diameter 0.7 of the draught; place: the stern at the height of G,
 ///          so that the ship does not trim
 /// The waves that a ship makes by its speed are not in R: a real one needs more thrust for u_h.
+/// THEORY.md, chapter 12.
 class Engine final : public ForceGenerator {
  public:
   /// u_h [m/s].

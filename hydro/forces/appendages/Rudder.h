@@ -28,6 +28,7 @@ namespace cutwater {
 /// Λ = 1.5, the stall at 35°, s = 0.4 and γ = 0.5 are middling values of measured ships
 /// [YasukawaYoshimura15]. The hull amidships has its own lift (HullLift), of which the
 /// rudder's is a part: some of it is counted twice.
+/// THEORY.md, chapter 12.
 class Rudder final : public ForceGenerator {
  public:
   /// @throws HydroError ValueOutOfRange.

@@ -19,7 +19,7 @@ class RadiationModel;
 /// or filtered, so that the cross terms do no work and the force has no mean. This part has the
 /// terms of q; those of A^∞ν, one of them by the engine's solver, are the part added_mass. The mean
 /// yaw moment of V × R p_F in waves, of second order, is taken off as the ship's predicted motion
-/// has it, and so is the steady trim of its way.               THEORY.md, The free ship
+/// has it, and so is the steady trim of its way.               THEORY.md, chapter 8
 /// A hull that is immersed by a share s drives the memory by sν and feels s times its force: in
 /// both places, so that the waves it has radiated never push it more than it has pushed them.
 ///

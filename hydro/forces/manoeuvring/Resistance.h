@@ -22,6 +22,7 @@ namespace cutwater {
 ///
 /// This is no manoeuvring model. A part that is one says so by ForceGenerator::replaces(), with
 /// "resistance" and "hull_lift".
+/// THEORY.md, chapter 11.
 class Resistance final : public ForceGenerator {
  public:
   static constexpr double kViscosity = 1.19e-6;  ///< ν [m²/s]

@@ -20,6 +20,7 @@ namespace cutwater {
 /// force along the surface and the moment about the vertical vanish to round-off, whatever the
 /// triangles, and the vertical force is that of Archimedes. Immutable; any number of ships share
 /// it.
+/// THEORY.md, chapter 9.
 class WettedTriangles {
  public:
   /// @param hull  closed, normals out, vertices shared, in hull axes [m]; quadrilaterals are split.
