@@ -2,8 +2,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { fft } from "../../demos/report_page/web/analysis/fft.js";
-import { densityOfLines, momentOfLines, segmentLength, welch, windowPower }
-  from "../../demos/report_page/web/analysis/spectra.js";
+import { blockMeans, densityOfLines, momentOf, momentOfLines, scatter, segmentLength, welch,
+  windowPower } from "../../demos/report_page/web/analysis/spectra.js";
 import { crossingPeriod, firstFrom, statistics, withoutTrend }
   from "../../demos/report_page/web/analysis/statistics.js";
 
@@ -63,13 +63,14 @@ test("a sum of sines has m0 = Σ a²/2, in the record and in its spectrum", () =
   const dt = 0.1, values = recordOf(LINES, 60000, dt);
   const m0 = sum(LINES, ({ a }) => a * a / 2);
   near(statistics(values).deviation ** 2 / m0, 1, 2e-3);
-  const { omega, density } = welch(values, dt, 4096);
-  near(sum(density, (s) => s) * omega[1] / m0, 1, 5e-3);
+  const spectrum = welch(values, dt, 4000);
+  near(momentOf(spectrum, 0) / m0, 1, 5e-3);
+  near(momentOf(spectrum, 0, 0.77) / (0.7 ** 2 / 2 + 0.4 ** 2 / 2), 1, 5e-3);
 });
 
 test("Welch's method shows lines as the window does: the prediction lies on it", () => {
   const dt = 0.1, values = recordOf(LINES, 120000, dt);
-  const measured = welch(values, dt, 2048);
+  const measured = welch(values, dt, 1900);
   const lines = LINES.map(({ omega, a }) => ({ omega, variance: a * a / 2 }));
   const predicted = densityOfLines(lines, measured.omega, measured.duration);
   const top = Math.max(...predicted);
@@ -84,9 +85,16 @@ test("the window's power has the integral 1", () => {
   near(total, 1, 1e-4);
 });
 
-test("about as many segments as asked for, none of too short a record", () => {
-  assert.equal(segmentLength(10), 0);
-  assert.equal(welch(new Float64Array(10), 0.1), null);
-  const { segments } = welch(new Float64Array(10000), 0.1);
-  assert.ok(segments >= 7 && segments <= 18, String(segments));
+test("segments are 12 periods long, and shorter where the record is", () => {
+  assert.equal(segmentLength(100000, 0.1, 10), 1200);
+  assert.equal(segmentLength(1000, 0.1, 10), 400);
+  assert.equal(segmentLength(30, 0.1, 10), 0);
+  assert.equal(welch(new Float64Array(10), 0.1, 0), null);
+  assert.deepEqual([...blockMeans([1, 3, 5, 7, 9], 2)], [2, 6]);
+});
+
+test("the scatter of a flat band of width Δω is ½ √(2π/(T Δω))", () => {
+  const omega = Float64Array.from({ length: 1001 }, (_, i) => i * 0.001);
+  const density = omega.map((w) => (w > 0.2995 && w < 0.6995 ? 5 : 0));
+  near(scatter({ omega, density }, 600), 0.5 * Math.sqrt(2 * Math.PI / (600 * 0.4)), 1e-9);
 });

@@ -1,12 +1,22 @@
 // Begins the page: reads the data, builds one section after the other, says what failed.
 import { readPage } from "./data.js";
+import { coefficients } from "./plots/coefficients.js";
 import { h, missing } from "./plots/dom.js";
+import { gates } from "./plots/gates.js";
 import { motions } from "./plots/motions.js";
+import { runs } from "./plots/runs.js";
+import { seaway } from "./plots/seaway.js";
+import { ship } from "./plots/ship.js";
 import { startTheme } from "./plots/theme.js";
 import { createReplay } from "./replay/replay.js";
 
 const SECTIONS = [
+  ["ship", "The ship", ship],
+  ["gates", "Quality gates", gates],
   ["motions", "Motions", motions],
+  ["seaway", "In a seaway", seaway],
+  ["runs", "Runs", runs],
+  ["coefficients", "Coefficients", coefficients],
 ];
 
 const breathe = () => new Promise((done) => setTimeout(done));

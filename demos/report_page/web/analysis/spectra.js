@@ -3,28 +3,44 @@
 import { fft } from "./fft.js";
 import { withoutTrend } from "./statistics.js";
 
-/** Samples of a segment: a power of two with about `segments` half-overlapped ones in n samples. */
-export function segmentLength(n, segments = 9) {
-  const most = 2 * n / (segments + 1);
-  return most < 16 ? 0 : 2 ** Math.floor(Math.log2(most));
+/** Means of each `n` samples: a shorter record for what is slow beside its steps. */
+export function blockMeans(values, n) {
+  if (n < 2) return values;
+  return Float64Array.from({ length: Math.floor(values.length / n) }, (_, i) => {
+    let sum = 0;
+    for (let j = i * n; j < (i + 1) * n; ++j) sum += values[j];
+    return sum / n;
+  });
+}
+
+/**
+ * Samples of a segment: 12 periods, at least a ninth of the record if it is short, and never more
+ * than 2/5 of it, so that there are four half-overlapped ones to average over; 0 of too short a one.
+ */
+export function segmentLength(n, dt, period) {
+  const wanted = Math.round(12 * period / dt) || Math.floor(n / 5);
+  const length = Math.min(wanted, Math.floor(n / 2.5));
+  return length < 16 ? 0 : length;
 }
 
 /**
  * Welch's method: means over half-overlapped segments under Hann's window, the trend of the whole
- * taken off before. {omega, density, duration of a segment [s], segments}
+ * taken off before; padded with zeros, so that the curve is smooth.
+ * {omega, density, duration of a segment [s], segments}
  */
-export function welch(values, dt, length = segmentLength(values.length)) {
-  if (!length || length > values.length) return null;
-  const record = withoutTrend(values);
+export function welch(values, dt, length) {
+  if (!(length >= 16) || length > values.length) return null;
+  const record = withoutTrend(values), size = 2 ** (Math.ceil(Math.log2(length)) + 1);
   const window = Float64Array.from({ length }, (_, i) =>
     0.5 - 0.5 * Math.cos(2 * Math.PI * (i + 0.5) / length));
   const energy = window.reduce((sum, w) => sum + w * w, 0);
-  const half = length / 2, density = new Float64Array(half + 1);
-  const segments = Math.floor((record.length - length) / half) + 1;
-  const re = new Float64Array(length), im = new Float64Array(length);
+  const hop = Math.floor(length / 2), half = size / 2, density = new Float64Array(half + 1);
+  const segments = Math.floor((record.length - length) / hop) + 1;
+  const re = new Float64Array(size), im = new Float64Array(size);
   for (let segment = 0; segment < segments; ++segment) {
-    for (let i = 0; i < length; ++i) re[i] = window[i] * record[segment * half + i];
+    re.fill(0);
     im.fill(0);
+    for (let i = 0; i < length; ++i) re[i] = window[i] * record[segment * hop + i];
     fft(re, im);
     for (let k = 0; k <= half; ++k) density[k] += re[k] * re[k] + im[k] * im[k];
   }
@@ -32,9 +48,30 @@ export function welch(values, dt, length = segmentLength(values.length)) {
   for (let k = 0; k <= half; ++k) {
     density[k] *= (k === 0 || k === half ? 1 : 2) * dt / (2 * Math.PI * energy * segments);
   }
-  const step = 2 * Math.PI / (length * dt);
+  const step = 2 * Math.PI / (size * dt);
   const omega = Float64Array.from({ length: half + 1 }, (_, k) => k * step);
   return { omega, density, duration: length * dt, segments };
+}
+
+/** m_n = ∫ ω^n S dω from `least` on. */
+export function momentOf({ omega, density }, n, least = 0) {
+  let sum = 0;
+  for (let k = 0; k < omega.length; ++k) {
+    if (omega[k] >= least) sum += omega[k] ** n * density[k];
+  }
+  return sum * omega[1];
+}
+
+/**
+ * By how much the standard deviation of a record of `duration` scatters by chance, as a share of
+ * it: half of that of the variance, √(2π ∫S² dω / T) / m0.
+ */
+export function scatter({ omega, density }, duration, least = 0) {
+  let squares = 0;
+  for (let k = 0; k < omega.length; ++k) {
+    if (omega[k] >= least) squares += density[k] ** 2 * omega[1];
+  }
+  return 0.5 * Math.sqrt(2 * Math.PI * squares / duration) / momentOf({ omega, density }, 0, least);
 }
 
 const sinc = (x) => (Math.abs(x) < 1e-9 ? 1 : Math.sin(Math.PI * x) / (Math.PI * x));

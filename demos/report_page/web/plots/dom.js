@@ -18,7 +18,7 @@ export function h(name, attributes = {}, ...children) {
 
 /** Said in the place of what is not in the data: what is missing and what to do. */
 export function missing(text) {
-  return h("p.missing", {}, text);
+  return prose(text, "p.missing");
 }
 
 /** Text in which `...` is code. */

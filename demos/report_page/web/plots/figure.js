@@ -49,6 +49,7 @@ export class Figure {
     this.spec = spec;
     this.readout = h("output.readout", { "aria-live": "polite" });
     this.legend = h("div.legend");
+    this.tooltip = h("div.tooltip", { hidden: true });
     this.unit = h("span.unit");
     this.canvas = h("div.canvas", {
       tabindex: 0, role: "group",
@@ -77,6 +78,17 @@ export class Figure {
     this.draw();
   }
 
+  /** New numbers in lines of the same number and looks: the plot stays, with its zoom. */
+  setData(lines, registered = lines) {
+    if (!this.plot || lines.length !== this.lines.length) {
+      this.setLines(lines, this.spec.marks, registered);
+      return;
+    }
+    this.lines = lines;
+    this.register(registered);
+    this.plot.setData(joined(lines), true);
+  }
+
   unitText() {
     const { label, unit } = this.spec.y;
     const scaled = scaledUnit(unit, this.exponent);
@@ -92,7 +104,6 @@ export class Figure {
   }
 
   draw() {
-    const before = this.plot?.scales.x;
     this.plot?.destroy();
     this.plot = null;
     this.drawLegend();
@@ -102,32 +113,35 @@ export class Figure {
     }
     this.canvas.replaceChildren();
     this.plot = new uPlot(this.options(), joined(this.lines), this.canvas);
-    if (this.spec.keepZoom && before?.min !== undefined) {
-      this.plot.setScale("x", { min: before.min, max: before.max });
-    }
+    this.tooltip.hidden = true;
+    this.plot.over.append(this.tooltip);
   }
 
   options() {
     const { x, y, height = 210 } = this.spec;
     return {
-      width: this.width(), height, pxAlign: 0, legend: { show: false }, padding: [10, 14, 0, 0],
+      width: this.width(), height, pxAlign: 0, legend: { show: false }, padding: [10, 24, 0, 0],
       cursor: {
-        dataIdx: nearestPoint, points: { size: 7 }, drag: { x: true, y: false },
-        ...(this.spec.sync ? { sync: { key: this.spec.sync, scales: ["x", null] } } : {}),
+        dataIdx: nearestPoint, points: { size: 7 }, drag: { x: true, y: false, setScale: !this.spec.onzoom },
+        bind: this.spec.all ? { dblclick: () => () => this.spec.all() } : {},
+        ...(this.spec.sync ? { sync: { key: this.spec.sync, scales: ["x", null],
+          filters: { pub: (type) => type === "mousemove" || type === "mouseleave" } } } : {}),
       },
       scales: {
         x: { time: false, ...(x.range ? { range: x.range } : {}) },
         y: { range: y.range ?? ((plot, low, high) => roundRange(low, high, y)) },
       },
-      axes: [this.axis({ label: `${x.label}${x.unit ? ` [${x.unit}]` : ""}`, labelSize: 20,
-        labelFont: FONT, size: 30, space: 60 }),
-      this.axis({ size: 58, space: 34, values: powerPoints(this.exponent), incrs: y.incrs })],
+      axes: [x.ticksWithUnit
+        ? this.axis({ size: 26, space: 80, values: (plot, ticks) =>
+          ticks.map((tick) => `${Number(tick.toPrecision(8))} ${x.unit}`) })
+        : this.axis({ label: `${x.label}${x.unit ? ` [${x.unit}]` : ""}`, labelSize: 20,
+          labelFont: FONT, size: 30, space: 60 }),
+      this.axis({ size: 58, space: height < 180 ? 24 : 34, values: powerPoints(this.exponent),
+        incrs: y.incrs })],
       series: [{}, ...this.lines.map((line, i) => this.series(line, i))],
       hooks: {
         draw: [(plot) => this.drawMarks(plot)], setCursor: [(plot) => this.read(plot)],
-        setScale: [(plot, key) => {
-          if (key === "x") this.spec.onzoom?.(plot.scales.x.min, plot.scales.x.max);
-        }],
+        setSelect: [(plot) => this.selected(plot)],
       },
     };
   }
@@ -153,19 +167,13 @@ export class Figure {
 
   // One entry a group; a button that hides its lines. A single line needs none.
   drawLegend() {
-    const groups = [...new Map(this.lines.map((line, i) => [line.group ?? line.label, { line, i }]))];
-    this.values = new Map();
-    const entries = groups.map(([group, { line, i }]) => {
-      const value = h("span.value");
-      this.values.set(group, value);
-      const button = h("button", {
-        type: "button", "aria-pressed": String(!this.hidden.has(group)),
-        title: "Show or hide",
-        onclick: () => this.toggle(group),
-      }, swatch(line, i), group, value);
-      return button;
-    });
-    this.legend.replaceChildren(...(groups.length > 1 ? entries : []));
+    const groups = groupsOf(this.lines);
+    const entries = groups.map(({ group, line, i }) => h("button", {
+      type: "button", "aria-pressed": String(!this.hidden.has(group)), title: "Show or hide",
+      onclick: () => this.toggle(group),
+    }, swatch(line, i), group));
+    this.legend.replaceChildren(...entries);
+    this.legend.hidden = groups.length < 2 || this.spec.legend === false;
   }
 
   toggle(group) {
@@ -173,25 +181,52 @@ export class Figure {
     this.draw();
   }
 
-  // Values under the cursor: abscissa in the caption, ordinates in the legend.
+  // Values under the cursor: of one line in the caption, of several in a box beside the cursor.
   read(plot) {
-    const { idx, idxs } = plot.cursor;
-    const { x, y } = this.spec;
-    for (const value of this.values.values()) value.textContent = "";
-    if (idx === null || idx === undefined) {
-      this.readout.textContent = "";
+    const { idx } = plot.cursor;
+    const rows = idx === null || idx === undefined ? [] : this.rowsAt(plot, idx);
+    const alone = rows.length === 1 && groupsOf(this.lines).length === 1;
+    this.tooltip.hidden = alone || rows.length === 0;
+    this.readout.textContent = "";
+    if (!rows.length) return;
+    const at = this.abscissa(plot.data[0][idx]);
+    if (alone) {
+      this.readout.textContent = `${at}   ${rows[0].text}`;
       return;
     }
-    const at = (x.show ?? show)(plot.data[0][idx]);
-    const text = [`${x.symbol ?? x.label} ${at}${x.unit ? ` ${x.unit}` : ""}`];
+    this.tooltip.replaceChildren(h("div", {}, at), ...rows.map(({ line, i, text }) =>
+      h("div.row", {}, swatch(line, i), h("span", {}, line.group ?? line.label), h("b", {}, text))));
+    const { width } = plot.over.getBoundingClientRect();
+    this.tooltip.classList.toggle("left", plot.cursor.left > width / 2);
+  }
+
+  // The range that was dragged over; plots with a window of their own tell it.
+  selected(plot) {
+    const { left, width } = plot.select;
+    if (!this.spec.onzoom || width < 3) return;
+    this.spec.onzoom(plot.posToVal(left, "x"), plot.posToVal(left + width, "x"));
+    plot.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
+  }
+
+  abscissa(value) {
+    const { x } = this.spec;
+    return `${x.symbol ?? x.label} ${(x.show ?? show)(value)}${x.unit ? ` ${x.unit}` : ""}`;
+  }
+
+  // Each group's value that is next to the cursor, within some pixels of it.
+  rowsAt(plot, idx) {
+    const { idxs, left } = plot.cursor, found = new Map();
     this.lines.forEach((line, i) => {
-      const value = plot.data[i + 1][idxs?.[i + 1] ?? idx];
+      const at = idxs?.[i + 1] ?? idx, value = plot.data[i + 1][at];
       if (value === undefined || value === null || !plot.series[i + 1].show) return;
+      const away = Math.abs(plot.valToPos(plot.data[0][at], "x") - left);
+      const group = line.group ?? line.label;
+      if (away > 40 || found.get(group)?.away <= away) return;
       const scaled = show(value / 10 ** this.exponent);
-      this.values.get(line.group ?? line.label).textContent = scaled;
-      if (this.values.size === 1) text.push(`${scaled} ${scaledUnit(y.unit, this.exponent)}`);
+      found.set(group, { away, line, i, text: `${scaled} ${scaledUnit(this.spec.y.unit,
+        this.exponent)}` });
     });
-    this.readout.textContent = text.join("   ");
+    return [...found.values()];
   }
 
   drawMarks(plot) {
@@ -210,6 +245,10 @@ export class Figure {
     const step = event.shiftKey ? 10 : 1;
     const { min, max } = plot.scales.x;
     const zoomed = (by) => {
+      if (this.spec.zoom) {
+        this.spec.zoom(by);
+        return;
+      }
       const middle = plot.cursor.idx == null ? (min + max) / 2 : plot.data[0][plot.cursor.idx];
       plot.setScale("x", { min: middle - (middle - min) * by, max: middle + (max - middle) * by });
     };
@@ -246,6 +285,7 @@ export class Figure {
     const width = this.width();
     if (this.plot && width !== this.plot.width) {
       this.plot.setSize({ width, height: this.plot.height });
+      this.spec.onfit?.();
     }
   }
 
@@ -262,6 +302,22 @@ export class Figure {
   }
 }
 
+/** First line of each group: [{group, line, i}]. */
+function groupsOf(lines) {
+  const groups = new Map();
+  lines.forEach((line, i) => {
+    const group = line.group ?? line.label;
+    if (!groups.has(group)) groups.set(group, { group, line, i });
+  });
+  return [...groups.values()];
+}
+
+/** A legend of its own for several plots with the same lines. */
+export function legendOf(lines) {
+  return h("div.legend", {}, groupsOf(lines).map(({ group, line, i }) =>
+    h("span", {}, swatch(line, i), group)));
+}
+
 function swatch(line, i) {
   const mark = h(line.points ? "i.dot" : "i.stroke", { "aria-hidden": "true" });
   mark.style.setProperty("--swatch", `var(${typeof line.colour === "string" ? line.colour
@@ -271,8 +327,10 @@ function swatch(line, i) {
 }
 
 // Whole steps at both ends; 0 is in the range unless `tight`.
-function roundRange(low, high, { tight = false, least = 0 }) {
+function roundRange(low, high, { tight = false, least = 0, include = [] }) {
   if (low === null || high === null) return [0, 1];
+  low = Math.min(low, ...include);
+  high = Math.max(high, ...include);
   let from = tight ? low : Math.min(0, low);
   let to = tight ? high : Math.max(0, high);
   const span = Math.max(to - from, least, Math.abs(to) * 1e-6) || 1;

@@ -52,3 +52,9 @@ export function unitText(unit) {
   return (unit ?? "").replace(/\bdeg\b/g, "°").replace(/\^2/g, "²").replace(/\^3/g, "³")
     .replace(/\^4/g, "⁴").replace(/ (?=[a-zA-Z])/g, "·");
 }
+
+/** An angle in degrees without needless zeros: "150°", "22.5°". */
+export const degrees = (angle) => `${Number(angle.toFixed(1))}°`.replace("-", "−");
+
+/** A time to a hundredth of a second, without needless zeros. */
+export const seconds = (time) => String(Number(time.toFixed(2)));

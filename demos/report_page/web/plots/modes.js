@@ -14,3 +14,13 @@ export function complexAt(values, count, heading, i, mode) {
 
 /** Phase in degrees, −180 to 180: lead over the crest at G. */
 export const phaseDegrees = ([re, im]) => Math.atan2(im, re) * DEGREES;
+
+/** "heave" -> "Heave" */
+export const title = (name) => name[0].toUpperCase() + name.slice(1);
+
+/** Unit of a coefficient of the pair "jk": `linear` for two displacements, metres for rotations. */
+export function pairUnit(pair, linear) {
+  const turns = [...pair].filter((mode) => Number(mode) > 3).length;
+  const [top, bottom] = linear.split("/");
+  return `${top}${["", "·m", "·m²"][turns]}${bottom ? `/${bottom}` : ""}`;
+}
