@@ -1,7 +1,7 @@
 """The project's own text files, for the checks of style beside this file."""
 import os
 
-FOLDERS = ("plugin", "hydro", "meshes", "demos", "tests", ".ci")
+FOLDERS = ("plugin", "hydro", "meshes", "demos", "docs", "tests", ".ci")
 CODE = (".h", ".cpp")
 SCRIPTS = (".py", ".cmake", ".sh", ".gp", ".toml", ".in", "CMakeLists.txt", "packages.txt")
 PROSE = (".md",)
