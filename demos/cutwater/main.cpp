@@ -26,6 +26,7 @@ struct Arguments {
   double step = 0.05, duration = 30.0;
   MeshReadOptions mesh;
   std::string heel, trim = "free";
+  std::vector<std::string> runs;
   command::PoseOptions poses;
   int threads = 0, panels = 0;
   bool free = false;
@@ -247,6 +248,23 @@ void addRuns(CLI::App& app, Arguments& a) {
   });
 }
 
+void addReport(CLI::App& app, Arguments& a) {
+  CLI::App* sub = command(
+      app, "report",
+      "One HTML file that shows a database and what was run with it: the ship in its sea, motions,\n"
+      "coefficients, checks. It needs no server and no network. Of each RUN.toml the CSV of the\n"
+      "same stem beside it is its run; a body that is no ship has [body] size and no database",
+      "report frigate.h5 run.toml sweep.toml -o page.html");
+  sub->add_option("database", a.input, "DB.h5")->required();
+  sub->add_option("runs", a.runs, "RUN.toml of runs of `simulate` and `sweep`");
+  sub->add_option("-o,--output", a.out, "page to write; of a name in .json its data alone")
+      ->required();
+  sub->callback([&a] {
+    checkFiles(a);
+    command::report(a.input, a.runs, a.out);
+  });
+}
+
 // A descriptor that the caller has closed would be given to the next file that is opened, and
 // messages would go into it. What is written to a closed stdout fails, as it should.
 void keepStandardFiles() {
@@ -303,6 +321,7 @@ int main(int argc, char** argv) {
   addStillWater(app, arguments);
   addTables(app, arguments);
   addRuns(app, arguments);
+  addReport(app, arguments);
   try {
     refuseEmpty(argc, argv);
     app.parse(argc, argv);

@@ -48,4 +48,9 @@ Afloat afloat(const PanelledHull& hull, const Loading& loading, const Water& wat
   return result;
 }
 
+Hydrostatics hydrostaticsOf(const ShipParticulars& ship) {
+  const SurfaceMesh wet = displacing({ship.hull, ship.wetSurface, ship.symmetric, ship.file});
+  return hydrostatics(wet, ship.cog, ship.density, ship.gravity);
+}
+
 }  // namespace cutwater

@@ -51,4 +51,9 @@ struct Afloat {
 /// @throws HydroError as hydrostatics.
 Afloat afloat(const PanelledHull& hull, const Loading& loading = {}, const Water& water = {});
 
+/// The hydrostatics again of a ship that was made so, as one read from a database: of its hull, or
+/// without one of its panels.
+/// @throws HydroError as hydrostatics.
+Hydrostatics hydrostaticsOf(const ShipParticulars& ship);
+
 }  // namespace cutwater

@@ -11,6 +11,10 @@
 
 /// The subcommands of `cutwater`, one file each. Every one throws HydroError with the line to
 /// print; `out` is the file to write, or empty for stdout.
+namespace cutwater {
+class FrequencyResponse;
+}
+
 namespace cutwater::command {
 
 /// An option's value that no file could make right: the command exits 2 instead of 1.
@@ -65,6 +69,10 @@ struct RunColumns {
 };
 void simulate(const std::string& run, const RunColumns& columns, const std::string& out);
 void sweep(const std::string& run, int threads, const std::string& out);
+/// One page of a database and of runs, RUN.toml each, written to `out`; its data alone, as JSON, if
+/// `out` ends in ".json".
+void report(const std::string& database, const std::vector<std::string>& runs,
+            const std::string& out);
 
 /// "A:B:N", N values with both ends; empty: `fallback`.
 /// @throws UsageError.
@@ -83,6 +91,9 @@ Vec3 vectorOption(const std::string& option, const std::string& text);
 /// Refuses work whose results do not fit into three quarters of this machine's memory.
 /// @param what  begins the message, naming fields and values.  @throws HydroError ValueOutOfRange.
 void requireMemory(const std::string& what, double bytes);
+/// `response.at` [m/m, rad/m], nan where nothing bounds the motion.
+/// @throws HydroError as FrequencyResponse::at otherwise.
+CVec6 motionOrNan(const FrequencyResponse& response, double omega, double heading, double speed);
 /// β [rad] of a --heading in degrees. @throws UsageError beyond two turns.
 double headingRadians(double degrees);
 

@@ -4,11 +4,13 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "demos/cutwater/commands/Commands.h"
 #include "hydro/Errors.h"
 #include "hydro/base/EnumNames.h"
 #include "hydro/database/CoefficientsFile.h"
+#include "hydro/response/FrequencyResponse.h"
 
 namespace cutwater::command {
 
@@ -146,6 +148,15 @@ double headingRadians(double degrees) {
     throw UsageError(fmt::format("--heading {}: must be in -720..720 degrees", degrees));
   }
   return degrees * kPi / 180.0;
+}
+
+CVec6 motionOrNan(const FrequencyResponse& response, double omega, double heading, double speed) {
+  try {
+    return response.at(omega, heading, speed);
+  } catch (const HydroError& error) {
+    if (error.fault() != Fault::MatrixSingular) throw;
+    return CVec6::Constant(std::numeric_limits<double>::quiet_NaN());
+  }
 }
 
 }  // namespace cutwater::command

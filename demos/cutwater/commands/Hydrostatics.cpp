@@ -1,21 +1,18 @@
 #include <fmt/format.h>
 
 #include "demos/cutwater/commands/Commands.h"
+#include "demos/cutwater/commands/Listings.h"
 #include "demos/cutwater/input/ShipFile.h"
-#include "demos/cutwater/output/Csv.h"
 
 namespace cutwater::command {
 
-void hydrostatics(const std::string& path, const std::string& out) {
-  const ShipFile ship = readShipFile(path);
-  const Hydrostatics& h = ship.hydrostatics;
-  Csv csv("name,value,unit");
+void listHydrostatics(Listing& rows, const ShipParticulars& ship, const Hydrostatics& h) {
   const auto add = [&](const std::string& name, double value, const std::string& unit) {
-    csv.line(name + "," + csvNumber(value) + "," + unit);
+    rows.add(name, value, unit);
   };
   add("volume", h.volume, "m^3");
   add("displacement", h.displacement, "kg");
-  add("mass", ship.particulars.mass, "kg");
+  add("mass", ship.mass, "kg");
   add("wetted_area", h.wettedArea, "m^2");
   add("waterplane_area", h.waterplaneArea, "m^2");
   add("lcb", h.buoyancy.x(), "m");
@@ -41,9 +38,15 @@ void hydrostatics(const std::string& path, const std::string& out) {
   add("draft", h.draft, "m");
   add("length", h.length, "m");
   add("beam", h.beam, "m");
-  add("panels", static_cast<double>(ship.particulars.wetSurface.faces.size()), "");
-  add("symmetric", ship.particulars.symmetric ? 1.0 : 0.0, "");
-  csv.write(out);
+  add("panels", static_cast<double>(ship.wetSurface.faces.size()), "");
+  add("symmetric", ship.symmetric ? 1.0 : 0.0, "");
+}
+
+void hydrostatics(const std::string& path, const std::string& out) {
+  const ShipFile ship = readShipFile(path);
+  Listing rows;
+  listHydrostatics(rows, ship.particulars, ship.hydrostatics);
+  rows.write(out);
 }
 
 }  // namespace cutwater::command

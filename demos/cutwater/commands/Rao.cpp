@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "demos/cutwater/commands/Commands.h"
 #include "demos/cutwater/output/Csv.h"
 #include "hydro/Errors.h"
@@ -17,16 +15,6 @@ namespace {
 std::optional<Vec3> given(const std::string& option, const std::string& text) {
   if (text.empty()) return {};
   return vectorOption(option, text);
-}
-
-// nan where nothing bounds the motion.
-CVec6 motion(const FrequencyResponse& response, double omega, double heading, double speed) {
-  try {
-    return response.at(omega, heading, speed);
-  } catch (const HydroError& error) {
-    if (error.fault() != Fault::MatrixSingular) throw;
-    return CVec6::Constant(std::numeric_limits<double>::quiet_NaN());
-  }
 }
 
 }  // namespace
@@ -62,7 +50,7 @@ void rao(const std::string& database, const WaveOptions& options, const LoadingO
   const auto add = [&](double omega) {
     const double met = encounterFrequency(omega, speed, heading, coefficients.ship.gravity);
     if (speed != 0.0 && std::abs(met) < kLeastEncounterFrequency) ++slow;
-    const CVec6 eta = motion(*response, omega, heading, speed);
+    const CVec6 eta = motionOrNan(*response, omega, heading, speed);
     for (int j = 0; j < 6; ++j) {
       csv.row({omega, met, j + 1.0, std::abs(eta[j]), phaseDegrees(eta[j])});
     }

@@ -104,10 +104,12 @@ void readWaves(TomlSection waves, RunFile& run) {
   waves.finish();
 }
 
-void readBody(TomlSection body, RunFile& run) {
+// @param ship  the body is a ship's: it has gyradii too.
+void readBody(TomlSection body, bool ship, RunFile& run) {
   run.body.emplace();
   for (const auto& [key, value] :
        {std::pair{"gyradii", &run.body->gyradii}, std::pair{"size", &run.body->size}}) {
+    if (!ship && value == &run.body->gyradii) continue;
     if (!body.has(key)) body.refuse(key, "is missing: three lengths in metres");
     *value = body.vector(key, Vec3::Zero());
     if (!(value->minCoeff() > 0.0)) body.refuse(key, "must be above 0");
@@ -181,7 +183,7 @@ void readMotion(TomlSection motion, RunFile& run) {
 
 }  // namespace
 
-RunFile readRunFile(const std::string& path, Mean usual) {
+RunFile readRunFile(const std::string& path, Mean usual, RunUse use) {
   TomlFile file(path);
   RunFile run;
   run.model.mean = usual;
@@ -191,13 +193,15 @@ RunFile readRunFile(const std::string& path, Mean usual) {
   }
   run.path = path;
   TomlSection& root = file.root();
-  if (!root.has("database")) root.refuse("database", "is missing; make one with `cutwater solve`");
-  run.database = root.file("database");
+  const bool ship = use == RunUse::Run || root.has("database") || !root.has("body");
+  if (ship && !root.has("database"))
+    root.refuse("database", "is missing; make one with `cutwater solve`");
+  if (ship) run.database = root.file("database");
   if (root.has("ship")) run.ship = root.file("ship");
   readBullet(file.section("bullet"), run);
   readMotion(file.section("motion"), run);
   readWaves(file.section("waves"), run);
-  if (root.has("body")) readBody(file.section("body"), run);
+  if (root.has("body")) readBody(file.section("body"), ship, run);
   root.finish();
   return run;
 }
@@ -243,6 +247,8 @@ double lastWaveOmega(const Coefficients& c) {
   return ends ? std::min(table.back(), c.omega.back()) : c.omega.back();
 }
 
+}  // namespace
+
 // A spectrum has no end of its own: where none is given, the database's is taken.
 void cutSpectrum(RunFile& run, const Coefficients& c) {
   if (run.waves != RunFile::Waves::Spectrum) return;
@@ -263,6 +269,8 @@ void cutSpectrum(RunFile& run, const Coefficients& c) {
                   "% of the sea's energy is left out",
                   run.path, last, run.database, to, 100.0 * shareOfEnergy(run.spectrum, last, to)));
 }
+
+namespace {
 
 // Mass and centre of gravity of another code's ship must be those of the hull that is given for it,
 // as far as two meshes agree.

@@ -15,7 +15,7 @@ namespace cutwater::command {
 struct RunFile {
   std::string path;
   std::string ship;      ///< SHIP.toml, resolved; empty if the database alone is used
-  std::string database;  ///< resolved
+  std::string database;  ///< resolved; empty only of a body that is no ship (RunUse::Show)
 
   double tick = 0.02;       ///< Bullet's fixed tick [s]
   int substeps = 1;         ///< ticks per stepSimulation
@@ -45,10 +45,16 @@ struct RunFile {
   double highestOmega(double gravity) const;
 };
 
+/// What a run file is read for.
+enum class RunUse {
+  Run,  ///< to be run: it names a database
+  Show  ///< to show a run that is there: also of a body of Bullet's, `[body] size` and no database
+};
+
 /// @param usual  the mean course unless the file names one. Where it is fixed, as of a sweep, a
 ///        free ship has no resistance unless the file asks for it: the frequency domain has none.
 /// @throws HydroError naming file, field and value.
-RunFile readRunFile(const std::string& path, Mean usual);
+RunFile readRunFile(const std::string& path, Mean usual, RunUse use = RunUse::Run);
 
 /// The run's database. If the run names a ship file, its supplementary terms, drag, engine and
 /// rudder replace the database's, and its mass, centre of gravity and gyradii must be the
@@ -57,5 +63,9 @@ RunFile readRunFile(const std::string& path, Mean usual);
 /// database by itself is cut there.
 /// @throws HydroError.
 Coefficients readShipOfRun(RunFile& run);
+
+/// Cuts the run's spectrum, if it would end above this database by itself.
+/// @throws HydroError naming a field that asks for more, as readShipOfRun.
+void cutSpectrum(RunFile& run, const Coefficients& coefficients);
 
 }  // namespace cutwater::command

@@ -1,0 +1,188 @@
+#include "demos/report_page/RunData.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "demos/cutwater/commands/Commands.h"
+#include "demos/cutwater/output/OutputFile.h"
+#include "demos/report_page/CsvReader.h"
+#include "demos/report_page/Encoding.h"
+#include "demos/report_page/RunColumns.h"
+#include "demos/report_page/ShipData.h"
+#include "demos/report_page/Tables.h"
+#include "hydro/base/EnumNames.h"
+#include "hydro/response/FrequencyResponse.h"
+
+namespace cutwater::page {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kDegrees = 180.0 / kPi;
+
+std::string csvBeside(const std::string& toml) {
+  const std::string csv = fs::path(toml).replace_extension(".csv").string();
+  std::error_code none;
+  if (!fs::is_regular_file(csv, none))
+    throw HydroError(Fault::FileNotReadable,
+                     fmt::format("{}: there is no {} beside it; `cutwater simulate` or `sweep` "
+                                 "writes it",
+                                 toml, fs::path(csv).filename().string()));
+  if (command::isOutput(csv))
+    throw HydroError(Fault::FileNotWritable, csv + ": is the file that -o names");
+  return csv;
+}
+
+// The report's words for the sea of a run.
+std::string seaText(const command::RunFile& run) {
+  const std::string from = fmt::format("from {:.4g} deg", run.heading * kDegrees);
+  switch (run.waves) {
+    case command::RunFile::Waves::None:
+      return "calm water";
+    case command::RunFile::Waves::Regular:
+      return fmt::format("regular waves of {:.4g} rad/s, amplitude {:.4g} m, {}", run.omega.front(),
+                         run.amplitude, from);
+    case command::RunFile::Waves::Components:
+      return fmt::format("{} wave{} of the run file's own", run.components.size(),
+                         run.components.size() == 1 ? "" : "s");
+    case command::RunFile::Waves::Spectrum:
+      break;
+  }
+  const Spectrum& s = run.spectrum;
+  const char* shape = s.shape == SpectrumShape::Jonswap         ? "JONSWAP"
+                      : s.shape == SpectrumShape::Bretschneider ? "Bretschneider"
+                                                                : "Pierson-Moskowitz";
+  std::string text = fmt::format("{}, Hs {:.4g} m, Tp {:.4g} s, {}", shape, s.hs,
+                                 2.0 * kPi / s.peakFrequency(), from);
+  if (run.sea.spreading > 0.0)
+    text += fmt::format(", spread by cos^2s, s = {:.4g}", run.sea.spreading);
+  return text;
+}
+
+void seaJson(Json& json, const command::RunFile& run, double gravity) {
+  const SeaState sea = run.seaState(gravity);
+  const bool spectrum = run.waves == command::RunFile::Waves::Spectrum;
+  json.beginObject().field("text", seaText(run));
+  if (spectrum) {
+    json.field("hs", run.spectrum.hs).field("tp", 2.0 * kPi / run.spectrum.peakFrequency());
+    if (run.spectrum.shape == SpectrumShape::Jonswap) json.field("gamma", run.spectrum.gamma);
+  }
+  json.field("ramp", run.sea.ramp);
+  const auto column = [&](const char* name, double WaveComponent::*part) {
+    std::vector<double> numbers;
+    for (const WaveComponent& wave : sea.components()) numbers.push_back(wave.*part);
+    json.key(name);
+    blob64(json, numbers);
+  };
+  column("omega", &WaveComponent::omega);
+  column("amplitude", &WaveComponent::amplitude);
+  column("phase", &WaveComponent::phase);
+  column("heading", &WaveComponent::heading);
+  json.end();
+}
+
+// Motions per metre of wave at the run's speed and heading; null where there are none.
+void linearJson(Json& json, const ShownRun& run) {
+  const Coefficients& c = *run.of;
+  const ShipModel& model = run.file.model;
+  const std::vector<double> omegas = waveGrid(c);
+  std::vector<double> numbers;
+  try {
+    const FrequencyResponse response =
+        model.mean == Mean::Free ? FrequencyResponse(c, {model.hullLift}, model.restrained)
+                                 : FrequencyResponse(c, model.restrained, c.forwardSpeed);
+    for (const double omega : omegas)
+      append(numbers,
+             command::motionOrNan(response, omega, run.file.heading, run.file.start.speed));
+  } catch (const HydroError& error) {
+    command::warn(run.file.path + ": no linear prediction on the page: " + error.what());
+    json.null();
+    return;
+  }
+  json.beginObject().key("omega").list(omegas).key("values");
+  blob32(json, numbers);
+  json.end();
+}
+
+void bodyJson(Json& json, const ShownRun& run) {
+  json.key("body");
+  if (run.of) {
+    json.null().key("hull");
+    if (run.ofPage) {
+      json.null();
+    } else {
+      hullJson(json, run.of->ship);
+    }
+    json.field("cogZ", run.of->ship.cog.z());
+    return;
+  }
+  const Vec3& size = run.file.body->size;
+  json.beginObject().key("size").list({size.data(), 3}).end();
+  json.key("hull").null().key("cogZ").null();
+}
+
+const char* modeName(const ShownRun& run) {
+  const ShipModel& model = run.file.model;
+  const bool closed = run.of && !run.of->ship.hull.faces.empty();
+  const bool usual = model.mean == Mean::Free && closed;
+  return nameOf(kHullPressureNames,
+                model.mode.value_or(usual ? HullPressure::Nonlinear : HullPressure::Linear));
+}
+
+}  // namespace
+
+ShownRun readShownRun(const std::string& path, const std::string& database,
+                      const Coefficients& coefficients) {
+  ShownRun run;
+  run.csv = csvBeside(path);
+  run.kind = kindOf(run.csv);
+  const bool sweep = run.kind == ShownRun::Kind::Sweep;
+  run.file =
+      command::readRunFile(path, sweep ? Mean::Fixed : Mean::Free, command::RunUse::Show);
+  if (run.file.database.empty()) {
+    run.file.database = database;
+    command::cutSpectrum(run.file, coefficients);
+    return run;
+  }
+  std::error_code none;
+  run.ofPage = fs::equivalent(run.file.database, database, none);
+  run.of = command::readShipOfRun(run.file);
+  return run;
+}
+
+void runJson(Json& json, const ShownRun& run, double gravity) {
+  const fs::path path(run.file.path);
+  const bool sweep = run.kind == ShownRun::Kind::Sweep;
+  json.beginObject().field("name", path.stem().string()).field("file", path.filename().string());
+  json.field("kind", sweep ? "sweep" : "simulate");
+  bodyJson(json, run);
+  json.field("gravity", gravity).field("double", run.file.doublePrecision);
+  json.field("dt", run.file.tick).field("mode", modeName(run));
+  json.field("mean", run.file.model.mean == Mean::Free ? "free" : "fixed");
+  json.field("speed", run.file.start.speed).field("headingDeg", run.file.heading * kDegrees);
+  json.field("profile", nameOf(kWaveProfileNames, run.file.sea.profile)).key("sea");
+  if (sweep) {
+    json.null().key("columns").null().key("parts").beginArray().end();
+  } else {
+    seaJson(json, run.file, gravity);
+    columnsJson(json, run.csv);
+  }
+  json.key("linear");
+  if (run.of) {
+    linearJson(json, run);
+  } else {
+    json.null();
+  }
+  json.key("sweep");
+  if (sweep) {
+    sweepJson(json, run.csv);
+  } else {
+    json.null();
+  }
+  json.end();
+}
+
+}  // namespace cutwater::page
