@@ -1,10 +1,25 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "demos/cutwater/commands/Commands.h"
 #include "demos/cutwater/commands/Listings.h"
 #include "demos/cutwater/input/ShipFile.h"
 
 namespace cutwater::command {
+
+namespace {
+
+// What is left of a symmetric hull's zeros when a computer sums up its panels.
+bool isRoundOff(const Mat6& restoring, int j, int k) {
+  const auto size = [&](int mode) {  // of its own stiffness; yaw, which has none, as long as pitch
+    return std::sqrt(std::abs(restoring(std::min<int>(mode, Pitch), std::min<int>(mode, Pitch))));
+  };
+  return std::abs(restoring(j, k)) <= 1e-12 * size(j) * size(k);
+}
+
+}  // namespace
 
 void listHydrostatics(Listing& rows, const ShipParticulars& ship, const Hydrostatics& h) {
   const auto add = [&](const std::string& name, double value, const std::string& unit) {
@@ -23,7 +38,7 @@ void listHydrostatics(Listing& rows, const ShipParticulars& ship, const Hydrosta
   for (int j = 0; j < 6; ++j) {
     for (int k = 0; k < 6; ++k) {
       const bool always = j == k && j >= 2 && j <= 4;
-      if (!always && h.restoring(j, k) == 0.0) continue;
+      if (!always && isRoundOff(h.restoring, j, k)) continue;
       const int angles = (j >= 3 ? 1 : 0) + (k >= 3 ? 1 : 0);
       add(fmt::format("C{}{}", j + 1, k + 1), h.restoring(j, k),
           angles == 0   ? "N/m"

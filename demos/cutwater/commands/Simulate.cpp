@@ -123,6 +123,27 @@ void placeShip(const RunFile& run, const std::shared_ptr<const Hydrodynamics>& s
   }
 }
 
+// "123 of 600 s, 58 x real time, roll 3.1 pitch -0.4 deg, heave 0.52 m"
+std::string stateText(RunShip& world, const RunFile& run, double elapsed) {
+  const Ship& ship = world.ship();
+  const double time = world.seaway().time();
+  const Vec3 degrees = ship.attitude() * (180.0 / kPi);
+  return fmt::format("{:.0f} of {:.0f} s, {:.3g} x real time, roll {:.1f} pitch {:.1f} deg, "
+                     "heave {:.2f} m",
+                     time, run.duration, elapsed > 0.0 ? time / elapsed : 0.0, degrees.x(),
+                     degrees.y(), ship.position().z() - ship.hydrodynamics().ship().cog.z());
+}
+
+// All ticks of the run, or those up to the one that breaks something.
+void stepAll(const RunFile& run, const Recorder& recorder, RunShip& world, std::size_t rows) {
+  Progress progress("simulate", Progress::Elsewhere::Nothing);
+  while (recorder.rows() < rows && !world.broken()) {
+    world.step();
+    progress.show(static_cast<int>(std::min(recorder.rows(), rows)), static_cast<int>(rows),
+                  [&](double elapsed) { return stateText(world, run, elapsed); });
+  }
+}
+
 void requireWetted(const RunFile& run, const RunColumns& columns, const Ship& ship) {
   if (!columns.wetted || ship.wetted()) return;
   throw HydroError(Fault::BadArgument,
@@ -163,12 +184,8 @@ void simulate(const std::string& path, const RunColumns& columns, const std::str
   Recorder recorder(world.seaway(), world.ship(),
                     {.forces = columns.forces, .wetted = columns.wetted});
   const std::size_t rows = rowsOf(run, recorder.columns().size());
-  Progress progress("simulate");
   recorder.reserve(rows + static_cast<std::size_t>(run.substeps));
-  while (recorder.rows() < rows && !world.broken()) {
-    world.step();
-    progress.show(static_cast<int>(std::min(recorder.rows(), rows)), static_cast<int>(rows));
-  }
+  stepAll(run, recorder, world, rows);
   writeRows(run, recorder, world, out);
   if (columns.forces) printParts(recorder, world.ship());
 }

@@ -77,7 +77,7 @@ std::vector<std::string> journalsAside(const std::string& journal) {
 }
 
 Coefficients solved(const ShipFile& ship, const std::string& journal) {
-  Progress progress("solve");
+  Progress progress("solve", Progress::Elsewhere::Lines);
   const Interruption interruption;
   bool first = true;
   return cutwater::solve(

@@ -157,10 +157,14 @@ std::vector<WaveRun> runAll(const RunFile& run, const std::shared_ptr<const Hydr
                             int threads) {
   std::vector<WaveRun> results(run.omega.size());
   std::atomic<int> done{0};
-  Progress progress("sweep");
+  Progress progress("sweep", Progress::Elsewhere::Nothing);
+  const int total = static_cast<int>(results.size());
   parallelFor(results.size(), threads, [&](std::size_t i) {
     results[i] = motionInBullet(run, ship, i);
-    progress.show(++done, static_cast<int>(results.size()));
+    const int now = ++done;
+    progress.show(now, total, [=](double elapsed) {
+      return fmt::format("{}/{} frequencies, {:.0f} s", now, total, elapsed);
+    });
   });
   return results;
 }
