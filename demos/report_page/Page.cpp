@@ -27,6 +27,15 @@ std::set<double> speedsOf(const std::vector<ShownRun>& runs) {
   return speeds;
 }
 
+// First of all, so that a run that does not fit is refused before long work.
+std::string runsJson(const std::vector<ShownRun>& runs, const Coefficients& c) {
+  Json json;
+  json.beginArray();
+  for (const ShownRun& run : runs)
+    runJson(json, run, run.of ? run.of->ship.gravity : c.ship.gravity);
+  return json.end().text();
+}
+
 }  // namespace
 
 std::string pageData(const std::string& database, const std::vector<std::string>& runs) {
@@ -34,6 +43,7 @@ std::string pageData(const std::string& database, const std::vector<std::string>
   command::warnOfResonances(database, c);
   std::vector<ShownRun> shown;
   for (const std::string& run : runs) shown.push_back(readShownRun(run, database, c));
+  const std::string ofRuns = runsJson(shown, c);
   Json json;
   command::naming(database, [&] {
     json.beginObject().field("format", 1).field("title", c.ship.name);
@@ -50,11 +60,7 @@ std::string pageData(const std::string& database, const std::vector<std::string>
     json.key("gates");
     gatesJson(json, c);
   });
-  json.key("runs").beginArray();
-  for (const ShownRun& run : shown)
-    runJson(json, run, run.of ? run.of->ship.gravity : c.ship.gravity);
-  json.end().end();
-  return json.text();
+  return json.key("runs").raw(ofRuns).end().text();
 }
 
 void requirePage() {

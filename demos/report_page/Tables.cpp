@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -9,6 +10,7 @@
 
 #include "demos/cutwater/commands/Commands.h"
 #include "demos/report_page/Encoding.h"
+#include "hydro/base/ParallelFor.h"
 #include "hydro/excitation/WaveExcitation.h"
 #include "hydro/memory/RetardationMatrix.h"
 #include "hydro/response/FrequencyResponse.h"
@@ -60,26 +62,26 @@ void limitJson(Json& json, const char* name, const Mat6& limit) {
   json.end();
 }
 
-// What `at` gives at each heading and wave, nan where the database has no answer. The first reason
-// for that is told, with `what`; true if there was any answer.
-bool overWaves(const Coefficients& c, const std::string& file, const std::string& what,
-               const std::function<void(double omega, double heading)>& at,
-               const std::function<void()>& nothing) {
-  std::string reason;
-  bool any = false;
-  for (const double heading : headingsDeg(c.ship)) {
-    for (const double omega : waveGrid(c)) {
-      try {
-        at(omega, heading * kDegree);
-        any = true;
-      } catch (const HydroError& error) {
-        if (reason.empty()) reason = error.what();
-        nothing();
-      }
+// What `at` gives at each heading and wave, `nothing` where the database has no answer; empty where
+// it has none at all. The first reason is told, with `what`.
+template <class Answer, class At>
+std::vector<Answer> overWaves(const Coefficients& c, const std::string& file,
+                              const std::string& what, const Answer& nothing, const At& at) {
+  const std::vector<double> headings = headingsDeg(c.ship), omegas = waveGrid(c);
+  std::vector<Answer> answers(headings.size() * omegas.size(), nothing);
+  std::vector<std::string> reasons(answers.size());
+  parallelFor(answers.size(), 0, [&](std::size_t i) {
+    try {
+      answers[i] = at(omegas[i % omegas.size()], headings[i / omegas.size()] * kDegree);
+    } catch (const HydroError& error) {
+      reasons[i] = error.what();
     }
-  }
-  if (!reason.empty()) command::warn(file + ": no " + what + " on the page: " + reason);
-  return any;
+  });
+  const auto isSaid = [](const std::string& reason) { return !reason.empty(); };
+  const auto first = std::find_if(reasons.begin(), reasons.end(), isSaid);
+  if (first != reasons.end()) command::warn(file + ": no " + what + " on the page: " + *first);
+  if (std::all_of(first, reasons.end(), isSaid) && first == reasons.begin()) return {};
+  return answers;
 }
 
 void axesJson(Json& json, const Coefficients& c) {
@@ -101,14 +103,14 @@ void raoJson(Json& json, const Coefficients& c, const std::string& file, double 
     command::warn(file + ": no " + what + " on the page: " + error.what());
     return;
   }
+  const CVec6 nothing = CVec6::Constant(kNan);
+  const auto answers =
+      overWaves(c, file, what, nothing, [&](double omega, double heading) {
+        return command::motionOrNan(*response, omega, heading, speed);
+      });
+  if (answers.empty()) return;
   std::vector<double> numbers;
-  const bool any = overWaves(
-      c, file, what,
-      [&](double omega, double heading) {
-        append(numbers, command::motionOrNan(*response, omega, heading, speed));
-      },
-      [&] { append(numbers, CVec6::Constant(kNan)); });
-  if (!any) return;
+  for (const CVec6& answer : answers) append(numbers, answer);
   json.beginObject().field("speed", speed).field("free", free);
   axesJson(json, c);
   json.key("values");
@@ -152,22 +154,19 @@ void coefficientsJson(Json& json, const Coefficients& c) {
 }
 
 void excitationJson(Json& json, const Coefficients& c, const std::string& file) {
-  std::vector<double> incident, diffracted;
   const WaveExcitation waves(c);
-  const bool any = overWaves(
-      c, file, "wave forces",
-      [&](double omega, double heading) {
-        const WaveExcitation::Force force = waves.at(omega, heading);
-        append(incident, force.froudeKrylov);
-        append(diffracted, force.diffraction);
-      },
-      [&] {
-        append(incident, CVec6::Constant(kNan));
-        append(diffracted, CVec6::Constant(kNan));
-      });
-  if (!any) {
+  const CVec6 nan = CVec6::Constant(kNan);
+  const auto forces =
+      overWaves(c, file, "wave forces", WaveExcitation::Force{nan, nan},
+                [&](double omega, double heading) { return waves.at(omega, heading); });
+  if (forces.empty()) {
     json.null();
     return;
+  }
+  std::vector<double> incident, diffracted;
+  for (const WaveExcitation::Force& force : forces) {
+    append(incident, force.froudeKrylov);
+    append(diffracted, force.diffraction);
   }
   json.beginObject();
   axesJson(json, c);
