@@ -251,9 +251,10 @@ void addRuns(CLI::App& app, Arguments& a) {
 void addReport(CLI::App& app, Arguments& a) {
   CLI::App* sub = command(
       app, "report",
-      "One HTML file that shows a database and what was run with it: the ship in its sea, motions,\n"
-      "coefficients, checks. It needs no server and no network. Of each RUN.toml the CSV of the\n"
-      "same stem beside it is its run; a body that is no ship has [body] size and no database",
+      "One HTML file that shows a database and what was run with it: the ship in its sea,\n"
+      "motions, coefficients, checks. It needs no server and no network. Of each RUN.toml the CSV\n"
+      "of the same stem beside it is its run; a body that is no ship has [body] size and no\n"
+      "database",
       "report frigate.h5 run.toml sweep.toml -o page.html");
   sub->add_option("database", a.input, "DB.h5")->required();
   sub->add_option("runs", a.runs, "RUN.toml of runs of `simulate` and `sweep`");

@@ -98,8 +98,10 @@ void SeriesEncoder::flush(bool last) {
 
 void SeriesEncoder::write(Json& json) {
   flush(true);
-  json.beginObject().field("n", count_).key("scale").raw("1e" + std::to_string(
-      static_cast<int>(std::lround(std::log10(scale_)))));
+  json.beginObject()
+      .field("n", count_)
+      .key("scale")
+      .raw("1e" + std::to_string(static_cast<int>(std::lround(std::log10(scale_)))));
   json.field("data", base64(packed_)).end();
 }
 

@@ -80,8 +80,7 @@ void energy(std::vector<Gate>& gates, const Coefficients& c) {
   const Vec6 size = (largest.array() > 0.0).select(largest.cwiseSqrt(), 1.0);
   double least = 0.0, where = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
-    const double now =
-        symmetricEigenvalues(c.damping[i].cwiseQuotient(size * size.transpose()))[0];
+    const double now = symmetricEigenvalues(c.damping[i].cwiseQuotient(size * size.transpose()))[0];
     if (now < least) {
       least = now;
       where = c.omega[i];
@@ -132,8 +131,12 @@ void memory(std::vector<Gate>& gates, const Coefficients& c) {
                            "use a finer mesh at the waterline, or higher frequencies"));
   memoryIntegral(gates, model.retardation());
   if (model.sum().size() > 0)
-    gates.push_back({"fit of the memory by exponentials, error", 100.0 * model.sum().error(), "%",
-                     {}, {}, "to be looked at: a few tenths of a per cent are usual"});
+    gates.push_back({"fit of the memory by exponentials, error",
+                     100.0 * model.sum().error(),
+                     "%",
+                     {},
+                     {},
+                     "to be looked at: a few tenths of a per cent are usual"});
 }
 
 void grid(std::vector<Gate>& gates, const Coefficients& c) {
@@ -150,8 +153,9 @@ void grid(std::vector<Gate>& gates, const Coefficients& c) {
   const auto masked = std::count(c.masked.begin(), c.masked.end(), 1);
   Gate mask{"frequencies masked and interpolated", static_cast<double>(masked), "", {}, {}, {}};
   if (masked == 0) mask.passes = true;
-  mask.advice = "their condition numbers are above the envelope of [solve] condition_limit_even, "
-                "condition_limit_odd; a lid makes them good";
+  mask.advice =
+      "their condition numbers are above the envelope of [solve] condition_limit_even, "
+      "condition_limit_odd; a lid makes them good";
   gates.push_back(mask);
 }
 
@@ -169,8 +173,12 @@ void stability(std::vector<Gate>& gates, const Coefficients& c) {
   };
   gate("stability: motions do not grow ahead up to", s.ahead, s.checkedTo, false);
   gate("stability: motions do not grow astern up to", s.astern, 0.5 * s.checkedTo, true);
-  Gate course{"keeps its course by itself up to", s.course.value_or(s.checkedTo), "m/s",
-              s.checkedTo, {}, "a hull without a helm does not: give it keep_course or a rudder"};
+  Gate course{"keeps its course by itself up to",
+              s.course.value_or(s.checkedTo),
+              "m/s",
+              s.checkedTo,
+              {},
+              "a hull without a helm does not: give it keep_course or a rudder"};
   if (!s.course) course.passes = true;
   gates.push_back(course);
 }

@@ -127,13 +127,10 @@ void pressures(Json& json, const Coefficients& c, const Panels& panels) {
   const std::size_t frequency = frequencyOfLength(c);
   const double omega = c.omega[frequency], k = omega * omega / c.ship.gravity;
   json.key("fields").beginArray();
-  field(json, panels, "hydrostatic pressure", "Pa", [&](const Panel& panel, std::size_t) {
-    return -weight * panel.centroid.z();
-  });
+  field(json, panels, "hydrostatic pressure", "Pa",
+        [&](const Panel& panel, std::size_t) { return -weight * panel.centroid.z(); });
   field(json, panels, fmt::format("incident wave, {:.3g} rad/s, pressure amplitude", omega), "Pa/m",
-        [&](const Panel& panel, std::size_t) {
-          return weight * std::exp(k * panel.centroid.z());
-        });
+        [&](const Panel& panel, std::size_t) { return weight * std::exp(k * panel.centroid.z()); });
   field(json, panels,
         fmt::format("incident wave, {:.3g} rad/s from ahead, pressure with the crest at G", omega),
         "Pa/m", [&](const Panel& panel, std::size_t) {

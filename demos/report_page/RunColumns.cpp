@@ -50,9 +50,8 @@ constexpr std::array<Column, 7> kSweep{{{"omega", "rad/s"},
 
 [[noreturn]] void refuse(const std::string& csv, const std::string& column,
                          const std::string& wanted) {
-  throw HydroError(Fault::FileMalformed,
-                   fmt::format("{}: line 1: column {}: {}", csv, command::shortened(column),
-                               wanted));
+  throw HydroError(Fault::FileMalformed, fmt::format("{}: line 1: column {}: {}", csv,
+                                                     command::shortened(column), wanted));
 }
 
 // "froude_krylov" of "froude_krylov_F1" to F6; "" if it is none of them.
@@ -113,8 +112,8 @@ std::vector<Extent> extentsOf(const std::string& csv) {
   double before = -std::numeric_limits<double>::infinity();
   while (reader.next(row)) {
     if (!(row[0] > before && std::isfinite(row[0])))
-      reader.refuse(fmt::format("t = {:.9g}: times must rise, the line before has {:.9g}", row[0],
-                                before));
+      reader.refuse(
+          fmt::format("t = {:.9g}: times must rise, the line before has {:.9g}", row[0], before));
     before = row[0];
     for (std::size_t i = 0; i < row.size(); ++i) extents[i].take(row[i]);
   }
@@ -134,10 +133,10 @@ double scaleOf(const std::string& column, const Extent& extent) {
 ShownRun::Kind kindOf(const std::string& csv) {
   const std::vector<std::string> columns = CsvReader(csv).columns();
   const auto fits = [&](const auto& wanted) {
-    return std::equal(wanted.begin(), wanted.end(), columns.begin(),
-                      columns.begin() + static_cast<std::ptrdiff_t>(
-                                            std::min(columns.size(), wanted.size())),
-                      [](const Column& a, const std::string& b) { return a.name == b; });
+    return std::equal(
+        wanted.begin(), wanted.end(), columns.begin(),
+        columns.begin() + static_cast<std::ptrdiff_t>(std::min(columns.size(), wanted.size())),
+        [](const Column& a, const std::string& b) { return a.name == b; });
   };
   if (columns.size() == kSweep.size() && fits(kSweep)) return ShownRun::Kind::Sweep;
   if (!fits(kMotions)) {
@@ -190,9 +189,8 @@ void columnsJson(Json& json, const std::string& csv) {
 }
 
 void sweepJson(Json& json, const std::string& csv) {
-  constexpr std::array<const char*, 7> kNames{"omega",         "omegaE",        "mode",
-                                              "timeAmplitude", "timePhaseDeg",  "freqAmplitude",
-                                              "freqPhaseDeg"};
+  constexpr std::array<const char*, 7> kNames{
+      "omega", "omegaE", "mode", "timeAmplitude", "timePhaseDeg", "freqAmplitude", "freqPhaseDeg"};
   CsvReader reader(csv);
   std::array<std::vector<double>, 7> columns;
   std::array<double, 7> row{};

@@ -140,8 +140,7 @@ ShownRun readShownRun(const std::string& path, const std::string& database,
   run.csv = csvBeside(path);
   run.kind = kindOf(run.csv);
   const bool sweep = run.kind == ShownRun::Kind::Sweep;
-  run.file =
-      command::readRunFile(path, sweep ? Mean::Fixed : Mean::Free, command::RunUse::Show);
+  run.file = command::readRunFile(path, sweep ? Mean::Fixed : Mean::Free, command::RunUse::Show);
   if (run.file.database.empty()) {
     run.file.database = database;
     command::cutSpectrum(run.file, coefficients);

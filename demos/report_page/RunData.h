@@ -14,9 +14,9 @@ struct ShownRun {
 
   command::RunFile file;
   Kind kind = Kind::Simulate;
-  std::string csv;                         ///< its path
-  std::optional<Coefficients> of;          ///< its ship; absent for a body that is no ship
-  bool ofPage = true;                      ///< that is the page's ship
+  std::string csv;                 ///< its path
+  std::optional<Coefficients> of;  ///< its ship; absent for a body that is no ship
+  bool ofPage = true;              ///< that is the page's ship
   const ShipParticulars* ship() const { return of ? &of->ship : nullptr; }
 };
 

@@ -104,10 +104,9 @@ void raoJson(Json& json, const Coefficients& c, const std::string& file, double 
     return;
   }
   const CVec6 nothing = CVec6::Constant(kNan);
-  const auto answers =
-      overWaves(c, file, what, nothing, [&](double omega, double heading) {
-        return command::motionOrNan(*response, omega, heading, speed);
-      });
+  const auto answers = overWaves(c, file, what, nothing, [&](double omega, double heading) {
+    return command::motionOrNan(*response, omega, heading, speed);
+  });
   if (answers.empty()) return;
   std::vector<double> numbers;
   for (const CVec6& answer : answers) append(numbers, answer);

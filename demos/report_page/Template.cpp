@@ -5,7 +5,8 @@ asm(".section .rodata\n"
     ".global cutwater_page_begin\n"
     ".global cutwater_page_end\n"
     "cutwater_page_begin:\n"
-    ".incbin \"" CUTWATER_PAGE_TEMPLATE "\"\n"
+    ".incbin \"" CUTWATER_PAGE_TEMPLATE
+    "\"\n"
     "cutwater_page_end:\n"
     ".byte 0\n"
     ".previous\n");

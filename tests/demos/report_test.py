@@ -304,7 +304,8 @@ class Runs(Pages):
         with open(self.path("sweep.csv"), encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
         for name, column in (("omega", "omega"), ("omegaE", "omega_e"), ("mode", "j"),
-                             ("timeAmplitude", "time_amplitude"), ("freqPhaseDeg", "freq_phase_deg")):
+                             ("timeAmplitude", "time_amplitude"),
+                             ("freqPhaseDeg", "freq_phase_deg")):
             self.assertEqual(shown["sweep"][name], [float(row[column]) for row in rows])
 
     def test_two_ships_and_a_body_in_one_sea(self):

@@ -1,4 +1,4 @@
-"""terminal_test.py COMMAND DATABASE SHIP.toml: what people see on a terminal, and what files get."""
+"""terminal_test.py COMMAND DATABASE SHIP.toml: what people see on a terminal, and files get."""
 import os
 import pty
 import re

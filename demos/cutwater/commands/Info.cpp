@@ -33,8 +33,7 @@ void listFile(Listing& rows, const FilePlacement& file) {
   rows.add("file_up", axisText(file.rotation.row(2)));
   rows.add("file_forward", axisText(file.rotation.row(0)));
   rows.add("file_unit", file.metresPerUnit, "m");
-  for (int i = 0; i < 3; ++i)
-    rows.add(std::string("file_origin_") + "xyz"[i], file.origin[i], "m");
+  for (int i = 0; i < 3; ++i) rows.add(std::string("file_origin_") + "xyz"[i], file.origin[i], "m");
 }
 
 // Where the coefficients may not be taken as solved: mask, its envelopes, condition numbers.
@@ -58,8 +57,7 @@ void listMask(Listing& rows, const Coefficients& c) {
   }
   for (const auto& [name, table] : {std::pair{"condition_even_max", &c.conditionEven},
                                     std::pair{"condition_odd_max", &c.conditionOdd}}) {
-    if (!table->empty())
-      rows.add(name, *std::max_element(table->begin(), table->end()));
+    if (!table->empty()) rows.add(name, *std::max_element(table->begin(), table->end()));
   }
 }
 

@@ -14,8 +14,8 @@ void listHydrostatics(Listing& rows, const ShipParticulars& ship, const Hydrosta
 
 /// Largest distance of A(∞) of the ω = ∞ problem itself from the one in use, in % of √(A_jj A_kk).
 double infinityDifference(const Coefficients& coefficients);
-/// Of `table`, `name` of it "added_mass" or "damping", as the solver found it if the file tells; the
-/// matrices themselves are symmetrised in ours.  [%]
+/// Of `table`, called "added_mass" or "damping", as the solver found it if the file tells [%]; the
+/// matrices themselves are symmetrised in ours.
 double solversAsymmetry(const Coefficients& coefficients, const std::string& name,
                         const OverFrequency<Mat6>& table);
 

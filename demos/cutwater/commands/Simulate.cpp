@@ -128,10 +128,11 @@ std::string stateText(RunShip& world, const RunFile& run, double elapsed) {
   const Ship& ship = world.ship();
   const double time = world.seaway().time();
   const Vec3 degrees = ship.attitude() * (180.0 / kPi);
-  return fmt::format("{:.0f} of {:.0f} s, {:.3g} x real time, roll {:.1f} pitch {:.1f} deg, "
-                     "heave {:.2f} m",
-                     time, run.duration, elapsed > 0.0 ? time / elapsed : 0.0, degrees.x(),
-                     degrees.y(), ship.position().z() - ship.hydrodynamics().ship().cog.z());
+  return fmt::format(
+      "{:.0f} of {:.0f} s, {:.3g} x real time, roll {:.1f} pitch {:.1f} deg, "
+      "heave {:.2f} m",
+      time, run.duration, elapsed > 0.0 ? time / elapsed : 0.0, degrees.x(), degrees.y(),
+      ship.position().z() - ship.hydrodynamics().ship().cog.z());
 }
 
 // All ticks of the run, or those up to the one that breaks something.

@@ -29,7 +29,7 @@ struct RunFile {
   double phase = 0.0;         ///< [rad]
   Spectrum spectrum;
   SeaStateSettings sea;
-  bool unusualProfile = false;  // the sea's is another than its waves have by themselves
+  bool unusualProfile = false;      // the sea's is another than its waves have by themselves
   std::optional<ForeignBody> body;  ///< [body]
   std::vector<WaveComponent> components;
 

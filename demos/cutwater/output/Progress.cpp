@@ -49,10 +49,9 @@ void Progress::show(int done, int total, const std::function<std::string(double)
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const int since = done - before_;
   const double left = since > 0 ? elapsed * (total - done) / since : 0.0;
-  const std::string line =
-      fmt::format("{}: {}, {:.0f} s left", what_,
-                  state ? state(elapsed) : fmt::format("{}/{}, {:.0f} s", done, total, elapsed),
-                  left);
+  const std::string line = fmt::format(
+      "{}: {}, {:.0f} s left", what_,
+      state ? state(elapsed) : fmt::format("{}/{}, {:.0f} s", done, total, elapsed), left);
   // A stderr that is closed or full stops no work.
   std::fputs((terminal_ ? "\r\x1b[K" + cutToTerminal(line) : line + "\n").c_str(), stderr);
   std::fflush(stderr);
