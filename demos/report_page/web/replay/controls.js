@@ -87,7 +87,9 @@ export function makeControls(root, scenes, act) {
   const full = make("button", {
     type: "button", title: "Full screen",
     onclick: () => (document.fullscreenElement ? document.exitFullscreen() : box.requestFullscreen?.()),
-  }, "⛶");
+  });
+  full.innerHTML = '<svg width="13" height="13" viewBox="0 0 13 13" fill="none" stroke="currentColor" ' +
+    'stroke-width="1.6"><path d="M1 4.5V1h3.5M8.5 1H12v3.5M12 8.5V12H8.5M4.5 12H1V8.5"/></svg>';
   full.setAttribute("aria-label", "Full screen");
   const bar = make("div", { class: "cw-panel cw-bar" }, play, slider, time, speed, cameras,
     make("details", {}, make("summary", {}, "Show"), menu), full);
@@ -120,7 +122,7 @@ export function makeControls(root, scenes, act) {
       if (document.activeElement !== slider || Number(slider.value) !== t) slider.value = t;
       slider.setAttribute("aria-valuetext", `${t.toFixed(1)} s`);
       text(time, `${clock(t)} / ${clock(end)}`);
-      for (const [key, value] of Object.entries(words)) text(cells[key], value);
+      for (const [key, value] of Object.entries(words)) text(cells[key], value.replace("-", "−"));
     },
     setPlaying(playing) {
       text(play, playing ? "❚❚ Pause" : "▶ Play");

@@ -41,6 +41,8 @@ class Blocks {
     this.position = [];
     this.normal = [];
     this.paint = [];
+    this.band = [];
+    this.base = [0, 0]; // height of the block in work, and its range
   }
   quad(a, b, c, d, paint) {
     const u = b.map((v, i) => v - a[i]);
@@ -55,6 +57,7 @@ class Blocks {
       this.position.push(...p);
       this.normal.push(...n.map((v) => v / length));
       this.paint.push(paint);
+      this.band.push(...this.base);
     }
   }
   /// Between two level rectangles {x0, x1, h0, h1, z}: ends in x with their half breadths, y middle.
@@ -63,6 +66,7 @@ class Blocks {
       [[x0, y - h0, z], [x1, y - h1, z1], [x1, y + h1, z1], [x0, y + h0, z]];
     const a = corners(low);
     const b = corners(high);
+    this.base = [low.z, high.z - low.z];
     for (let i = 0; i < 4; ++i) {
       const j = (i + 1) % 4;
       this.quad(a[i], a[j], b[j], b[i], paint);
@@ -138,12 +142,11 @@ export function decorate(box, points, faces) {
   const x = (s) => box.low[0] + s * length;
   const eye = length > 45 && length > 5 * beam
     ? frigate(blocks, deck, x, length) : workboat(blocks, deck, x, length);
-  const n = blocks.paint.length;
   return {
     position: Float32Array.from(blocks.position),
     normal: Float32Array.from(blocks.normal),
     paint: Float32Array.from(blocks.paint),
-    band: new Float32Array(2 * n),
+    band: Float32Array.from(blocks.band),
     rails: railing(deck, x, length),
     eye,
   };

@@ -35,6 +35,8 @@ uniform float cell;         // of the fine square [m]
 uniform float calm;         // z of calm water in ship axes
 uniform float freeboard;    // [m]
 uniform float shipLength;
+uniform float stern;         // x of its end in ship axes
+uniform float breadth;
 uniform int colours;        // 0 grey warship, 1 white boat, 2 box, 3 tug
 uniform float showLine, showPressure, pressureTop, below;
 in vec3 place;
@@ -89,6 +91,13 @@ vec4 paintAt() {
       c = colours == 1 ? vec3(0.42, 0.33, 0.22) : colours == 0 ? vec3(0.115, 0.125, 0.13) : vec3(0.16, 0.09, 0.07);
       float plank = colours == 1 ? smoothstep(0.42, 0.5, abs(fract(own.y / 0.09) - 0.5)) * clamp(1.0 - fwidth(own.y) / 0.05, 0.0, 1.0) : 0.0;
       c *= (0.86 + 0.26 * grain) * (1.0 - 0.35 * plank);
+      if (colours == 0) { // a landing circle
+        vec2 p = own.xy - vec2(stern + 0.105 * shipLength, 0.0);
+        float r = length(p), e = fwidth(r);
+        float ring = 1.0 - smoothstep(0.15, 0.15 + e, abs(r - 0.27 * breadth));
+        float cross = (1.0 - smoothstep(0.12, 0.12 + e, min(abs(p.x), abs(p.y)))) * step(r, 0.1 * breadth);
+        c = mix(c, vec3(0.42), max(ring, cross) * 0.8);
+      }
       gloss = 0.12;
     }
   } else if (painted == 1) {
@@ -97,6 +106,17 @@ vec4 paintAt() {
     float up = house.y > 0.0 ? (own.z - house.x) / house.y : 0.0;
     if (house.y > 0.12 * shipLength && abs(normalB.z) < 0.6 && up > 0.54 && up < 0.90) {
       c = vec3(0.012, 0.016, 0.02); gloss = 1.0;
+    }
+    // Doors and vents, the size of people.
+    if (colours == 0 && house.y > 0.0 && abs(normalB.z) < 0.5) {
+      float along = abs(normalB.y) > abs(normalB.x) ? own.x : own.y + 31.0;
+      float cellOf = floor(along / 4.6), at = abs(fract(along / 4.6) - 0.5) * 4.6, high = own.z - house.x;
+      float pick = fract(sin(cellOf * 12.9898 + floor(house.x) * 7.7) * 43758.5);
+      float e = fwidth(along) + fwidth(high);
+      float door = step(0.62, pick) * smoothstep(0.40 + e, 0.40, at) * step(0.5, high) * step(high, 2.35);
+      float vent = step(pick, 0.25) * smoothstep(0.55 + e, 0.55, at) * step(1.5, high) * step(high, 2.2);
+      c *= 1.0 - 0.45 * max(door, vent) * clamp(1.5 - e, 0.0, 1.0);
+      c *= mix(0.70, 1.0, smoothstep(0.0, 0.45, high / house.y));
     }
     if (normalB.z > 0.8) { c *= colours == 0 ? 0.55 : 0.85; gloss = 0.1; }
   } else if (painted == 2) { c = vec3(0.012, 0.016, 0.020); gloss = 1.0;
@@ -140,7 +160,7 @@ void main() {
   skyLight += vec3(0.34, 0.20, 0.12) * sunward * sunward * (1.0 - abs(n.z));
   float ground = painted == 0 ? mix(0.62, 1.0, smoothstep(-0.1, 0.9, above / max(freeboard, 0.1))) : 1.0;
   float direct = max(dot(n, sun), 0.0);
-  vec3 colour = albedo * (1.15 * skyLight * ground + SUN_COLOUR * 3.4 * direct);
+  vec3 colour = albedo * (1.15 * skyLight * ground + SUN_COLOUR * 2.0 * direct);
   vec3 h = normalize(sun + v);
   float shine = mix(30.0, 260.0, gloss);
   colour += SUN_COLOUR * gloss * (shine + 8.0) / 60.0 * 0.22 * pow(max(dot(n, h), 0.0), shine) * step(0.0, dot(n, sun));
@@ -184,6 +204,8 @@ export function hullMaterial(light, sums, grid, ship) {
       calm: { value: ship.calm },
       freeboard: { value: ship.freeboard },
       shipLength: { value: ship.length },
+      stern: { value: ship.main.low[0] },
+      breadth: { value: ship.main.high[1] - ship.main.low[1] },
       colours: { value: ship.colours },
       showLine: { value: 0 },
       showPressure: { value: 0 },

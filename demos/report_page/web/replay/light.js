@@ -27,40 +27,44 @@ uniform vec3 eye;
 uniform sampler2D noise;
 uniform vec2 cloudShift;
 uniform float exposure;
-const vec3 SUN_COLOUR = vec3(1.0, 0.66, 0.36);
+const vec3 SUN_COLOUR = vec3(1.0, 0.60, 0.30);
 
 /// Clear sky in direction d; below the horizon it is the horizon's.
 vec3 clearSky(vec3 d) {
   float h = max(d.z, 0.0);
   float side = 0.5 + 0.5 * dot(normalize(d.xy + 1e-6), normalize(sun.xy));
-  vec3 horizon = mix(vec3(0.38, 0.37, 0.45), vec3(1.05, 0.62, 0.34), side * side);
-  vec3 middle = mix(vec3(0.24, 0.31, 0.46), vec3(0.62, 0.52, 0.50), side * side * 0.9);
-  vec3 zenith = vec3(0.075, 0.135, 0.27);
-  vec3 colour = mix(horizon, middle, 1.0 - exp(-9.0 * h));
-  colour = mix(colour, zenith, 1.0 - exp(-2.3 * h));
+  side *= side;
+  vec3 horizon = mix(vec3(0.29, 0.30, 0.40), vec3(1.05, 0.55, 0.25), side);
+  vec3 low = mix(vec3(0.24, 0.29, 0.42), vec3(0.60, 0.42, 0.35), side);
+  vec3 zenith = vec3(0.035, 0.075, 0.170);
+  vec3 colour = mix(horizon, low, 1.0 - exp(-14.0 * h));
+  colour = mix(colour, mix(vec3(0.105, 0.180, 0.335), vec3(0.175, 0.215, 0.33), side), 1.0 - exp(-5.0 * h));
+  colour = mix(colour, zenith, 1.0 - exp(-2.2 * h));
   float c = max(dot(d, sun), 0.0);
-  colour += SUN_COLOUR * (0.30 * pow(c, 10.0) + 0.55 * pow(c, 90.0));
+  colour += SUN_COLOUR * (0.22 * pow(c, 9.0) + 0.50 * pow(c, 110.0));
   return colour;
 }
 
 /// Cover of thin cloud in direction d, and how dense it is; blur in levels of the noise texture.
 vec2 cloudAt(vec3 d, float blur) {
-  vec2 p = d.xy / (d.z + 0.10);
-  float a = textureLod(noise, p * vec2(0.020, 0.034) + cloudShift, blur).r;
-  float b = textureLod(noise, p * vec2(0.075, 0.110) - 1.7 * cloudShift, blur).g;
-  float cover = smoothstep(0.50, 0.80, 0.68 * a + 0.38 * b);
-  return vec2(cover * smoothstep(0.015, 0.10, d.z), a * b);
+  vec2 p = d.xy / (d.z + 0.085);
+  float a = textureLod(noise, p * vec2(0.017, 0.024) + cloudShift, blur).r;
+  float b = textureLod(noise, p * vec2(0.062, 0.083) - 1.7 * cloudShift, blur).g;
+  float body = 0.70 * a + 0.36 * b;
+  float cover = smoothstep(0.50, 0.66, body) * smoothstep(0.01, 0.07, d.z);
+  return vec2(cover, smoothstep(0.54, 0.78, body));
 }
 
 vec3 skyColour(vec3 d, float blur) {
   vec3 colour = clearSky(d);
   vec2 cloud = cloudAt(d, blur);
   float c = max(dot(d, sun), 0.0);
-  float low = exp(-3.0 * max(d.z, 0.0));
-  vec3 lit = mix(vec3(0.36, 0.35, 0.42), vec3(0.98, 0.60, 0.42), low * (0.35 + 0.65 * c));
-  lit += SUN_COLOUR * 0.8 * pow(c, 12.0);
-  vec3 shade = mix(lit, vec3(0.20, 0.20, 0.27), smoothstep(0.25, 0.62, cloud.y));
-  return mix(colour, shade, 0.72 * cloud.x);
+  float side = 0.5 + 0.5 * dot(normalize(d.xy + 1e-6), normalize(sun.xy));
+  // Edges catch the low sun, bellies are in shade; the farther, the warmer.
+  float far = exp(-4.0 * max(d.z, 0.0));
+  vec3 lit = mix(vec3(0.33, 0.33, 0.40), vec3(1.05, 0.55, 0.33), far * side * side) + SUN_COLOUR * 0.9 * pow(c, 14.0);
+  vec3 belly = mix(vec3(0.085, 0.100, 0.150), vec3(0.25, 0.185, 0.20), far * side);
+  return mix(colour, mix(lit, belly, cloud.y), 0.85 * cloud.x);
 }
 
 /// What the air adds between the eye and a point.
@@ -93,6 +97,7 @@ export function makeSky(light) {
       ...light,
       inverseView: { value: new THREE.Matrix4() },
       spread: { value: new THREE.Vector2() },
+      depths: { value: 0 },
     },
     vertexShader: /* glsl */ `
       uniform mat4 inverseView;
@@ -105,6 +110,7 @@ export function makeSky(light) {
     fragmentShader: /* glsl */ `
       ${LIGHT_GLSL}
       in vec3 ray;
+      uniform float depths;
       out vec4 pixel;
       void main() {
         vec3 d = normalize(ray);
@@ -115,6 +121,8 @@ export function makeSky(light) {
         // The last degree above the horizon is air.
         colour = mix(colour, clearSky(normalize(vec3(d.xy, 0.012))),
                      exp(-pow(max(d.z, 0.0) / 0.02, 2.0)));
+        // Below see-through water it is deep.
+        colour = mix(colour, vec3(0.020, 0.055, 0.075), depths * smoothstep(0.001, -0.004, d.z));
         pixel = vec4(developed(colour) + dither(gl_FragCoord.xy), 1.0);
       }`,
     depthTest: true,

@@ -87,7 +87,7 @@ export function makeOverlay(bodies) {
     group,
     /// Brings all to time t. show: {forces, centre, track}; newtonsPerMetre scales arrows.
     /// Returns per body the force of each part, or null while they are being read.
-    update({ t, origin, poses, show, rows, scaleOf, changed }) {
+    update({ t, origin, poses, show, rows, scaleOf, longest, changed }) {
       return perBody.map((entry, n) => {
         const body = bodies[n];
         const pose = poses[n];
@@ -108,7 +108,8 @@ export function makeOverlay(bodies) {
         const yaw = (pose.yaw * Math.PI) / 180;
         const [c, s] = [Math.cos(yaw), Math.sin(yaw)];
         forces.forEach(([x, y, z], i) => {
-          const v = new THREE.Vector3(c * x - s * y, s * x + c * y, z).divideScalar(scaleOf(n));
+          const v = new THREE.Vector3(c * x - s * y, s * x + c * y, z).divideScalar(scaleOf(n))
+            .clampLength(0, longest * body.length);
           entry.arrows[i].set(place, v, 0.0045 * body.length);
         });
         return forces;

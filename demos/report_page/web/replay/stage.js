@@ -12,7 +12,11 @@ import { makeSums } from "./sums.js";
 import { makeSurface, MAX_BODIES } from "./surface.js";
 import { elevation, rampAt, shortestLength } from "./wave.js";
 
-const SCALE_COLOURS = ["#7a90b8", "#7fb9c6", "#c3d9a8", "#f7e58f", "#ed9468"];
+/// Those of the hull's shader in its middling light.
+const SCALE_COLOURS = ["#233470", "#2c7c95", "#8bb270", "#d7bb55", "#c55529"];
+
+/// Arrows longer than this share of the ship are cut.
+const LONGEST = 0.5;
 
 /// What is known of a body's shape: its arrays, box, deck, decoration, and where its bridge is.
 function shapeOf(body) {
@@ -108,7 +112,7 @@ export function makeStage({ renderer, scene, light, sky, camera, quality, change
       const yaw = (pose.yaw * Math.PI) / 180;
       surface.uniforms.bodyPlaces.value[i].set(middle.x, middle.y, Math.cos(yaw), Math.sin(yaw));
       surface.uniforms.bodySizes.value[i].set(0.49 * (main.high[0] - main.low[0]),
-        0.5 * (main.high[1] - main.low[1]), freeboard + 0.04 * shapes[i].length, 0);
+        0.5 * (main.high[1] - main.low[1]), freeboard + 0.04 * shapes[i].length, [0.10, 0.34, 0.12, 0.08][shapes[i].colours]);
     });
   }
 
@@ -135,7 +139,7 @@ export function makeStage({ renderer, scene, light, sky, camera, quality, change
     sums.drawGrid();
     placeBodies(poses);
     cameras.set({
-      place: new THREE.Vector3(0, 0, pose.position[2]), yaw: (pose.yaw * Math.PI) / 180,
+      place: new THREE.Vector3(0, 0, pose.position[2]), yaw: courseOf(bodies[inView].track, t),
       q: drawn[inView].group.quaternion,
     }, shapes[inView].eye, (x, y) =>
       elevation(sea, t, x + origin[0], y + origin[1]) + 0.25 + 0.006 * shapes[inView].length);
@@ -147,7 +151,7 @@ export function makeStage({ renderer, scene, light, sky, camera, quality, change
     surface.setRipples(wind, shortest, t, ...origin);
     colourByPressure(poses, t);
     const rows = bodies.map(({ track }) => (track.columns.has("t") ? rowAt(track.columns.get("t"), t) : null));
-    const forces = overlay.update({ t, origin, poses, show, rows, scaleOf, changed });
+    const forces = overlay.update({ t, origin, poses, show, rows, scaleOf, longest: LONGEST, changed });
     renderer.render(world, camera);
     return {
       pose,
@@ -167,7 +171,8 @@ export function makeStage({ renderer, scene, light, sky, camera, quality, change
           value: newtons(Math.hypot(...f)),
         })),
         text: `${niceAbove(0.1 * shapes[inView].length)} m of arrow: ` +
-          `${newtons(niceAbove(0.1 * shapes[inView].length) * scaleOf(inView))}; all drawn at G`,
+          `${newtons(niceAbove(0.1 * shapes[inView].length) * scaleOf(inView))}; all at G, ` +
+          `cut at ${newtons(LONGEST * shapes[inView].length * scaleOf(inView))}`,
       } : null,
     };
   }
@@ -184,7 +189,8 @@ export function makeStage({ renderer, scene, light, sky, camera, quality, change
     setGain: (g) => { gain = g; },
     setShow(wanted) {
       show = wanted;
-      surface.setOpacity(show.glass ? 0.30 : 1);
+      surface.setOpacity(show.glass ? 0.42 : 1);
+      sky.material.uniforms.depths.value = show.glass ? 1 : 0;
       drawn.forEach(({ extra }) => { extra.visible = show.decoration; });
     },
     surfaceAt: (x, y) => sums.probe(x - origin[0], y - origin[1])[0],
@@ -212,6 +218,18 @@ export function makeStage({ renderer, scene, light, sky, camera, quality, change
   };
 }
 
+/// Bearing [rad] of the bow, averaged over some 20 s about t: a camera that follows must not yaw with
+/// each wave.
+function courseOf(track, t) {
+  let [x, y] = [0, 0];
+  for (let i = -5; i <= 5; ++i) {
+    const yaw = (track.at(t + 2 * i).yaw * Math.PI) / 180;
+    x += Math.cos(yaw);
+    y += Math.sin(yaw);
+  }
+  return Math.atan2(y, x);
+}
+
 /// Wind that would raise the sea (Pierson and Moskowitz: Hs = 0.22 U^2/g), along the mean wave.
 function windOf({ sea, hs }) {
   let x = 0;
@@ -236,6 +254,7 @@ function weightOf(body, shape, { density, sea }) {
 }
 
 function newtons(f) {
+  if (f === 0) return "0";
   const [value, unit] = f >= 1e6 ? [f / 1e6, "MN"] : f >= 1e3 ? [f / 1e3, "kN"] : [f, "N"];
   return `${value.toPrecision(3)} ${unit}`;
 }

@@ -5,8 +5,9 @@ import { LIGHT_GLSL } from "./light.js";
 import { rippleTexture } from "./textures.js";
 
 /// Tiles of ripples [m], each turned a little against the wind.
-const TILES = [89, 31, 10.7, 3.9, 1.37];
-const TURNS = [0.0, 0.45, -0.35, 0.3, -0.5];
+const TILES = [89, 31, 10.7, 3.9, 1.37, 0.47];
+const TURNS = [0.0, 0.45, -0.35, 0.3, -0.5, 0.2];
+const SHARES = [0.20, 0.27, 0.33, 0.36, 0.36, 0.30];
 export const MAX_BODIES = 4;
 
 const VERTEX = /* glsl */ `
@@ -37,7 +38,7 @@ uniform float opacity;
 uniform vec2 origin;                // of local axes, within a tile of gusts [m]
 uniform int bodies;
 uniform vec4 bodyPlaces[${MAX_BODIES}];    // x, y, cos, sin of the bow's bearing
-uniform vec4 bodySizes[${MAX_BODIES}];     // half length, half breadth, height of the deck, of all
+uniform vec4 bodySizes[${MAX_BODIES}];     // half length, half breadth, height of the deck, brightness
 in vec3 place;
 in vec3 drawn;
 out vec4 pixel;
@@ -74,9 +75,9 @@ vec3 rippleSlopes() {
 }
 
 /// How far a ray from this point goes into a hull, as a share of what would hide all behind it.
-float hullInSight(vec3 from, vec3 ray, out float height) {
+float hullInSight(vec3 from, vec3 ray, out float height, out float shade) {
   float hidden = 0.0;
-  height = 0.0;
+  height = shade = 0.0;
   for (int i = 0; i < ${MAX_BODIES}; ++i) {
     if (i >= bodies) break;
     vec4 b = bodyPlaces[i];
@@ -90,9 +91,9 @@ float hullInSight(vec3 from, vec3 ray, out float height) {
     float z = from.z + t * ray.z;
     float enter = max(0.0, t - sqrt(max(0.0, 1.0 - closest * closest) / dd));
     float zEnter = from.z + enter * ray.z;
-    float h = 1.0 - smoothstep(0.80, 1.03, closest);
+    float h = 1.0 - smoothstep(0.62, 1.04, closest);
     h *= 1.0 - smoothstep(0.75 * size.z, 1.25 * size.z, zEnter);
-    if (h > hidden) { hidden = h; height = zEnter / size.z; }
+    if (h > hidden) { hidden = h; height = zEnter / size.z; shade = size.w; }
   }
   return hidden;
 }
@@ -119,9 +120,9 @@ void main() {
   r.z = abs(r.z) * (1.0 - 0.3 * sigma) + 0.55 * sigma * (1.0 - nv) + 0.01;
   r = normalize(r);
   vec3 sky = skyColour(r, 2.0 + 9.0 * sigma);
-  float height;
-  float hull = hullInSight(place, r, height);
-  sky = mix(sky, vec3(0.085, 0.088, 0.095) * (0.6 + 0.5 * height), 0.85 * hull);
+  float height, shade;
+  float hull = hullInSight(place, r, height, shade);
+  sky = mix(sky, shade * vec3(0.90, 0.93, 1.0) * (0.6 + 0.5 * height), 0.85 * hull);
 
   // The sun's track (V. Ross et al. 2005): share of facets that mirror the sun into the eye.
   vec3 h = normalize(sun + v);
@@ -129,18 +130,18 @@ void main() {
   float tight = max(variance, 2.2e-3);
   float facets = exp(-dot(tilt, tilt) / tight) / (3.14159 * tight);
   float glint = 0.02 + 0.98 * pow(1.0 - max(dot(v, h), 0.0), 5.0);
-  vec3 track = SUN_COLOUR * 2.6 * glint * facets / (4.0 * pow(h.z, 4.0) * max(nv, 0.15));
+  vec3 track = SUN_COLOUR * 2.3 * glint * facets / (4.0 * pow(h.z, 4.0) * max(nv, 0.15));
   track *= 1.0 - hull;
-  track = track / (1.0 + 0.12 * track);
+  track = track / (1.0 + 0.22 * track);
 
   // Light that comes back out of the water: deep, and thin where a crest stands against the sun.
   vec3 sunSide = normalize(vec3(sun.xy, 0.0));
   float against = max(0.0, dot(-v, sunSide));
-  float crest = smoothstep(-0.05, 0.75, place.z / max(waveHeight, 0.4));
+  float crest = smoothstep(0.0, 0.85, place.z / max(waveHeight, 0.4));
   float lean = clamp(0.5 + 2.2 * dot(slope, -v.xy), 0.0, 1.5);
   vec3 deep = vec3(0.010, 0.034, 0.047);
-  vec3 through = vec3(0.030, 0.150, 0.130);
-  float glow = crest * crest * (0.16 + 0.75 * against * against * lean) * smoothstep(0.0, 1.5, waveHeight);
+  vec3 through = vec3(0.014, 0.078, 0.078);
+  float glow = crest * crest * (0.10 + 0.9 * against * against * lean) * smoothstep(0.0, 1.5, waveHeight);
   vec3 body = deep * (0.75 + 0.5 * n.z) + through * glow;
   body *= 0.75 + 0.25 * clamp(0.5 + place.z / max(waveHeight, 1.0), 0.0, 1.0);
 
@@ -168,7 +169,7 @@ export function makeSurface(grid, sums, light, { layerCount, anisotropy }) {
     fineEdge: { value: first.cell * first.outer },
     layers: { value: vectors(TILES.length, () => new THREE.Vector4()) },
     layerSlopes: { value: vectors(TILES.length, () => new THREE.Vector2()) },
-    layerCount: { value: Math.min(layerCount, TILES.length) },
+    layerCount: { value: 0 },
     waveHeight: { value: 0 },
     opacity: { value: 1 },
     origin: { value: new THREE.Vector2() },
@@ -193,7 +194,7 @@ export function makeSurface(grid, sums, light, { layerCount, anisotropy }) {
       material.depthWrite = share >= 1;
       material.needsUpdate = true;
     },
-    setRipples: (wind, shortest, t, x, y) => setRipples(uniforms, wind, shortest, t, x, y),
+    setRipples: (wind, shortest, t, x, y) => setRipples(uniforms, layerCount, wind, shortest, t, x, y),
     dispose() {
       geometry.dispose();
       material.dispose();
@@ -204,18 +205,24 @@ export function makeSurface(grid, sums, light, { layerCount, anisotropy }) {
 
 /// Ripples of a wind {speed [m/s], bearing [rad]} at time t, where the origin of local axes is at
 /// x, y of the earth. Those as long as the run's own waves, `shortest` [m], are left out.
-function setRipples(uniforms, wind, shortest, t, x, y) {
+function setRipples(uniforms, most, wind, shortest, t, x, y) {
   const total = Math.sqrt(0.003 + 0.00512 * wind.speed); // C. Cox and W. Munk 1954
+  const layers = [];
   TILES.forEach((tile, i) => {
-    const angle = wind.bearing + TURNS[i];
+    const middle = tile / 7; // the length of its middle waves
+    const shorter = Math.min(1, Math.max(0, 1.6 - middle / Math.max(0.3, shortest)));
+    if (shorter > 0.05) layers.push({ tile, turn: TURNS[i], slope: SHARES[i] * total * shorter });
+  });
+  const count = Math.min(most, layers.length);
+  uniforms.layerCount.value = count;
+  layers.slice(0, count).forEach(({ tile, turn, slope }, i) => {
+    const angle = wind.bearing + turn;
     const [c, s] = [Math.cos(angle) / tile, Math.sin(angle) / tile];
-    const speed = Math.sqrt((9.81 * tile) / 7 / (2 * Math.PI)); // of the layer's middle wave
+    const speed = Math.sqrt((9.81 * tile) / 7 / (2 * Math.PI));
     const u = c * x + s * y - (speed / tile) * t;
     const w = c * y - s * x;
     uniforms.layers.value[i].set(c, s, u - Math.floor(u), w - Math.floor(w));
-    const middle = tile / 7;
-    const shorter = Math.min(1, Math.max(0, 1.6 - middle / Math.max(0.3, shortest)));
-    uniforms.layerSlopes.value[i].set(0.36 * total * (i === 0 ? 0.7 : 1) * shorter, TURNS[i]);
+    uniforms.layerSlopes.value[i].set(slope, turn);
   });
   const gusts = 640;
   uniforms.origin.value.set(x - gusts * Math.floor(x / gusts), y - gusts * Math.floor(y / gusts));

@@ -69,7 +69,7 @@ export function rippleTexture(n = 256, waves = 70, seed = 5) {
   const sy = new Float32Array(n * n);
   for (let w = 0; w < waves; ++w) {
     const size = 3 * 8 ** random(); // waves in a tile
-    const turn = (random() + random() + random() - 1.5) * 1.5;
+    const turn = (random() + random() + random() - 1.5) * 2.2;
     const p = Math.round(size * Math.cos(turn));
     const q = Math.round(size * Math.sin(turn));
     if (p === 0 && q === 0) continue;
