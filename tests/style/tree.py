@@ -4,7 +4,9 @@ import os
 FOLDERS = ("plugin", "hydro", "meshes", "demos", "docs", "tests", ".ci")
 CODE = (".h", ".cpp")
 SCRIPTS = (".py", ".cmake", ".sh", ".gp", ".toml", ".in", "CMakeLists.txt", "packages.txt")
+WEB = (".js", ".mjs", ".css", ".html")
 PROSE = (".md",)
+SKIPPED = ("__pycache__", "node_modules")
 
 
 def files(root, endings):
@@ -12,7 +14,7 @@ def files(root, endings):
     found = [name for name in os.listdir(root) if os.path.isfile(os.path.join(root, name))]
     for folder in FOLDERS:
         for where, folders, names in os.walk(os.path.join(root, folder)):
-            folders[:] = [name for name in folders if name != "__pycache__"]
+            folders[:] = [name for name in folders if name not in SKIPPED]
             found += [os.path.relpath(os.path.join(where, name), root) for name in names]
     if ".sh" in endings:
         endings = (*endings, "run")

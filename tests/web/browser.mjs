@@ -60,7 +60,8 @@ export class Browser {
     await this.send("Emulation.setDeviceMetricsOverride",
       { width, height, deviceScaleFactor: 1, mobile: false });
     await this.send("Emulation.setEmulatedMedia",
-      { features: [{ name: "prefers-color-scheme", value: dark ? "dark" : "light" }] });
+      { features: [{ name: "prefers-color-scheme", value: dark ? "dark" : "light" },
+        { name: "prefers-reduced-motion", value: "reduce" }] });
     await this.send("Page.navigate", { url: pathToFileURL(file).href + query });
     for (let i = 0; i < 600; ++i) {
       const { result } = await this.send("Runtime.evaluate",

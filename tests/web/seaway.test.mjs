@@ -60,7 +60,7 @@ test("velocity and acceleration are ω_e and ω_e² times the motion", () => {
   near(size("vertical-acceleration"), wave.omegaE ** 2 * size("vertical"), 1e-12);
 });
 
-test("points move by rotation: bow down lowers the bow, port up lifts port, yaw swings the bow", () => {
+test("points move by rotation: bow down lowers it, port up lifts port, yaw swings the bow", () => {
   const alone = (mode) => Array.from({ length: 12 }, (_, i) => (i === 2 * mode ? 1 : 0));
   const wave = waveFor(1, 90), at = [10, 2, 5];
   const real = (key, mode) => transfer(quantityOf(key), at, alone(mode), wave)[0];
@@ -82,7 +82,7 @@ test("the wave at a point lags the wave at G where the waves come later", () => 
   near(Math.atan2(-im, -re), -0.49 * 20 / GRAVITY, 1e-12);
 });
 
-test("waves from the other side: odd modes change sign, so port and starboard change places", () => {
+test("waves from the other side: odd modes change sign, port and starboard swap", () => {
   const skew = table((w, beta) => [[0, 0], [0.1, 0], [0.5, 0.1], [0.05 * Math.sin(beta), 0.01],
     [0, 0.02], [0, 0]]);
   const circle = allRound(skew, true);

@@ -33,7 +33,7 @@ async function startReplay(page) {
   const view = document.getElementById("replay-view");
   const say = (why) => {
     view.style.aspectRatio = "auto";
-    view.replaceChildren(missing(`The replay is missing: ${why} Everything else on the page works.`));
+    view.replaceChildren(missing(`The replay is missing: ${why} Everything else works.`));
   };
   if (!canDraw3d()) {
     say("this browser has no WebGL 2, or it is switched off.");

@@ -34,7 +34,8 @@ export function predictionOf(run, page) {
   const table = page.raos.find(({ speed, free }) => free === (run.mean === "free")
     && Math.abs(speed - run.speed) < 0.01 * Math.max(1, run.speed));
   if (!sameDirection(sea) && table) {
-    return { ...predict(sea, table, run.speed, gravity), words: "each wave from its own direction" };
+    return { ...predict(sea, table, run.speed, gravity),
+      words: "each wave from its own direction" };
   }
   if (!run.linear?.omega?.length) return null;
   return { ...predict(sea, run.linear, run.speed, gravity),

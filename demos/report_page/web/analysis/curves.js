@@ -45,27 +45,32 @@ export function sortedPoints(x, y) {
 }
 
 /**
- * Phases in degrees as a line that leaves the plot at ±180 and comes back on the other side: where
- * it jumps, points at both edges and a gap (null) between them are put in.
+ * Phases in degrees as lines that end at ±180 and go on at the other edge, and that leave out what
+ * is null: parts [{x, y}].
  */
 export function unwrapped({ x, y }) {
-  const out = { x: [], y: [] };
+  const parts = [];
+  let part = null;
+  const begin = () => {
+    part = { x: [], y: [] };
+    parts.push(part);
+  };
   const add = (at, value) => {
-    out.x.push(at);
-    out.y.push(value);
+    part.x.push(at);
+    part.y.push(value);
   };
   x.forEach((at, i) => {
-    const before = y[i - 1], now = y[i];
-    const known = i > 0 && before !== null && now !== null;
-    if (known && Math.abs(now - before) > 180) {
+    const before = y[i - 1] ?? null, now = y[i];
+    if (now === null) return;
+    if (before === null) begin();
+    else if (Math.abs(now - before) > 180) {
       const edge = before > 0 ? 180 : -180, way = now + 2 * edge - before;
       const cross = x[i - 1] + (way === 0 ? 0.5 : (edge - before) / way) * (at - x[i - 1]);
-      const thin = 1e-6 * (at - x[i - 1]);
-      add(cross - thin, edge);
-      add(cross, null);
-      add(cross + thin, -edge);
+      add(cross, edge);
+      begin();
+      add(cross, -edge);
     }
     add(at, now);
   });
-  return out;
+  return parts;
 }

@@ -132,5 +132,7 @@ export function spread(variances, stepDeg) {
 /** Are these headings a whole circle of equal steps? The step [deg], or 0. */
 export function circleStep(headings) {
   const step = 360 / headings.length;
-  return headings.length > 2 && headings.every((at, i) => Math.abs(at - i * step) < 1e-6) ? step : 0;
+  const whole = headings.length > 2
+    && headings.every((at, i) => Math.abs(at - i * step) < 1e-6);
+  return whole ? step : 0;
 }

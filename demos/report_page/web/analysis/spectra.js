@@ -14,8 +14,9 @@ export function blockMeans(values, n) {
 }
 
 /**
- * Samples of a segment: 12 periods, at least a ninth of the record if it is short, and never more
- * than 2/5 of it, so that there are four half-overlapped ones to average over; 0 of too short a one.
+ * Samples of a segment: 12 periods, a fifth of the record if there is no period, and never more
+ * than 2/5 of it, so that there are four half-overlapped ones to average over; 0 if that is too
+ * short.
  */
 export function segmentLength(n, dt, period) {
   const wanted = Math.round(12 * period / dt) || Math.floor(n / 5);

@@ -76,7 +76,8 @@ function massAndDamping(section, data) {
     + ` rad/s).` : "";
   const resolved = data.resolved > 0 ? ` The panels resolve waves up to ${show(data.resolved, 3)}`
     + ` rad/s (dashed).` : "";
-  section.append(prose(`At zero speed, about the centre of gravity.${resolved}${masked}`, "p.lead"));
+  section.append(prose(`At zero speed, about G, the centre of gravity.${resolved}${masked}`,
+    "p.lead"));
   const pairs = pairsOf(data.A, data.B);
   for (const [heading, draw] of [["Added mass A", addedMass], ["Damping B", damping]]) {
     pairGrid(section, heading, pairs, (pair, place, coupling) =>
@@ -89,13 +90,13 @@ function excitationLines(data, heading, mode, phases) {
   const at = (values) => omega.map((_, i) => complexAt(values, n, heading, i, mode));
   const parts = [at(froudeKrylov), at(diffraction)];
   parts.unshift(parts[0].map(([re, im], i) => [re + parts[1][i][0], im + parts[1][i][1]]));
-  return ["whole", "Froude–Krylov", "diffraction"].map((label, i) => {
+  return ["whole", "Froude–Krylov", "diffraction"].flatMap((label, i) => {
     const sizes = parts[i].map(([re, im]) => Math.hypot(re, im));
     const style = { label, dash: [undefined, [7, 4], [2, 3]][i] };
-    if (!phases) return { ...style, x: omega, y: sizes };
+    if (!phases) return [{ ...style, colour: i, x: omega, y: sizes }];
     const least = 1e-3 * Math.max(...sizes);
-    return { ...style, ...unwrapped({ x: omega, y: parts[i].map((part, k) =>
-      (sizes[k] > least ? phaseDegrees(part) : null)) }) };
+    const known = parts[i].map((part, k) => (sizes[k] > least ? phaseDegrees(part) : null));
+    return unwrapped({ x: omega, y: known }).map((part) => ({ ...style, colour: i, ...part }));
   });
 }
 
@@ -118,8 +119,8 @@ function excitation(section, data) {
     figure.setLines(excitationLines(data, state.heading, mode, state.phases));
   });
   section.append(prose("Force and moment about G per metre of wave amplitude, at zero speed: "
-    + "the pressure of the undisturbed wave (Froude–Krylov), and what the hull adds by scattering it "
-    + "(diffraction).", "p.lead"),
+    + "the pressure of the undisturbed wave (Froude–Krylov), and what the hull adds by scattering "
+    + "it (diffraction).", "p.lead"),
   h("div.controls", {}, choice("Heading", data.headingsDeg.map((heading, i) =>
     [i, degrees(heading)]), state.heading, (value) => {
     state.heading = Number(value);

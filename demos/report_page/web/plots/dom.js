@@ -50,8 +50,8 @@ let count = 0;
 export function choice(label, options, value, onchange) {
   const id = `control-${++count}`;
   const list = h("select", { id, onchange: () => onchange(list.value) },
-    options.map(([key, text]) => h("option", { value: key, selected: String(key) === String(value) },
-      text)));
+    options.map(([key, text]) =>
+      h("option", { value: key, selected: String(key) === String(value) }, text)));
   return h("span.control", {}, h("label", { for: id }, label), list);
 }
 
@@ -72,7 +72,8 @@ export function number(label, unit, value, limits, onchange) {
 
 /** Labelled box to tick. */
 export function tick(label, value, onchange) {
-  const box = h("input", { type: "checkbox", checked: value, onchange: () => onchange(box.checked) });
+  const box = h("input",
+    { type: "checkbox", checked: value, onchange: () => onchange(box.checked) });
   return h("label.control.tick", {}, box, label);
 }
 

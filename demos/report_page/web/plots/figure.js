@@ -13,7 +13,7 @@ addEventListener("themechange", () => figures.forEach((figure) => figure.redraw(
 addEventListener("beforeprint", () => figures.forEach((figure) => figure.fit(330)));
 addEventListener("afterprint", () => figures.forEach((figure) => figure.fit()));
 
-/** Abscissae of several lines as one: [x, y of line 1, ...]; undefined where a line has no point. */
+/** Abscissae of several lines as one: [x, y of line 1, ...]; undefined where one has no point. */
 function joined(lines) {
   if (!lines.length) return [[]];
   const same = lines.every(({ x }) => x === lines[0].x);
@@ -122,7 +122,8 @@ export class Figure {
     return {
       width: this.width(), height, pxAlign: 0, legend: { show: false }, padding: [10, 24, 0, 0],
       cursor: {
-        dataIdx: nearestPoint, points: { size: 7 }, drag: { x: true, y: false, setScale: !this.spec.onzoom },
+        dataIdx: nearestPoint, points: { size: 7 },
+        drag: { x: true, y: false, setScale: !this.spec.onzoom },
         bind: this.spec.all ? { dblclick: () => () => this.spec.all() } : {},
         ...(this.spec.sync ? { sync: { key: this.spec.sync, scales: ["x", null],
           filters: { pub: (type) => type === "mousemove" || type === "mouseleave" } } } : {}),
@@ -148,8 +149,8 @@ export class Figure {
 
   axis(more) {
     return {
-      font: FONT, stroke: () => colour("--muted"), grid: { stroke: () => colour("--grid"), width: 1 },
-      ticks: { show: false }, ...more,
+      font: FONT, stroke: () => colour("--muted"),
+      grid: { stroke: () => colour("--grid"), width: 1 }, ticks: { show: false }, ...more,
     };
   }
 
@@ -160,7 +161,8 @@ export class Figure {
       label: line.label, stroke, width: line.width ?? 1.6, dash: line.dash,
       show: !this.hidden.has(line.group ?? line.label), spanGaps: false,
       paths: line.points ? () => null : undefined,
-      points: line.points ? { show: true, size: 7, width: 1.6, stroke, fill: () => colour("--paper") }
+      points: line.points
+        ? { show: true, size: 7, width: 1.6, stroke, fill: () => colour("--paper") }
         : { show: false },
     };
   }
@@ -194,8 +196,8 @@ export class Figure {
       this.readout.textContent = `${at}   ${rows[0].text}`;
       return;
     }
-    this.tooltip.replaceChildren(h("div", {}, at), ...rows.map(({ line, i, text }) =>
-      h("div.row", {}, swatch(line, i), h("span", {}, line.group ?? line.label), h("b", {}, text))));
+    this.tooltip.replaceChildren(h("div", {}, at), ...rows.map(({ line, i, text }) => h("div.row",
+      {}, swatch(line, i), h("span", {}, line.group ?? line.label), h("b", {}, text))));
     const { width } = plot.over.getBoundingClientRect();
     this.tooltip.classList.toggle("left", plot.cursor.left > width / 2);
   }

@@ -10,7 +10,9 @@ const VERDICTS = [
 
 const verdictOf = (gate) => VERDICTS.findIndex(({ of }) => of(gate));
 
-const shown = (value) => (typeof value === "string" ? value : show(value, 3));
+const shown = (value) => (typeof value === "number" && value !== 0 && Math.abs(value) < 1e5
+  && Math.abs(value) >= 1e-4 ? String(Number(value.toPrecision(3))).replace("-", "−")
+  : typeof value === "string" ? value : show(value, 3));
 
 function summary(list) {
   const count = (kind) => list.filter((gate) => VERDICTS[verdictOf(gate)].kind === kind).length;

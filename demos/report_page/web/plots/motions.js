@@ -20,7 +20,9 @@ function firstChoice(page) {
   const sweeps = sweepsOf(page);
   const speeds = [...new Set(page.raos.map(({ speed }) => speed))];
   const all = [...new Set(page.raos.flatMap(({ headingsDeg }) => headingsDeg))];
-  let headings = [...new Set(sweeps.map(({ headingDeg }) => headingDeg))].slice(0, 4);
+  const alike = sweeps.filter(({ speed, mean }) =>
+    speed === sweeps[0].speed && mean === sweeps[0].mean);
+  let headings = [...new Set(alike.map(({ headingDeg }) => headingDeg))].slice(0, 4);
   if (!headings.length) headings = [180, 135, 90].filter((heading) => all.includes(heading));
   if (!headings.length) headings = all.slice(0, 1);
   const speed = sweeps.length ? sweeps[0].speed : speeds[0];
@@ -56,7 +58,7 @@ function curvesOf(page, rao, heading, state, mode) {
   const least = 1e-3 * scale * greatestOf(rao, mode);
   const phases = motion.map((value, i) => (amplitude[i] > least ? phaseDegrees(value) : null));
   return { amplitude: ascendingParts(x, amplitude),
-    phase: ascendingParts(x, phases).map((part) => unwrapped(part)) };
+    phase: ascendingParts(x, phases).flatMap(unwrapped) };
 }
 
 function pointsOf(page, run, state, mode) {

@@ -138,7 +138,8 @@ export class Polar {
     }
     const values = this.lines.map(({ values: v, words }) =>
       `${Number.isFinite(v[i]) ? show(v[i], 3) : "no limit"}${words ? ` ${words[i]}` : ""}`);
-    this.readout.textContent = `${degrees(this.headings[i])}: ${values.join(", ")} ${this.unitName}`;
+    const heading = degrees(this.headings[i]);
+    this.readout.textContent = `${heading}: ${values.join(", ")} ${this.unitName}`;
     this.lines.forEach((line, k) => {
       const [cx, cy] = place(this.headings[i],
         RADIUS * Math.min(line.values[i], this.most) / this.most);

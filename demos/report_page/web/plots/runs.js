@@ -19,7 +19,7 @@ const FIRST = ["wave", "z", "roll_deg", "pitch_deg"];
 const isForce = (name) => /_F[1-6]$/.test(name);
 
 function describe(run) {
-  const words = [run.sea?.text ?? "calm water"];
+  const words = [run.sea?.text ?? (run.kind === "sweep" ? "regular waves" : "calm water")];
   if (run.speed) words.push(`${Number(run.speed.toPrecision(3))} m/s`);
   if (run.mean) words.push(run.mean === "free" ? "free" : "on a fixed course");
   if (run.mode) words.push(run.mode);
@@ -46,7 +46,8 @@ function histories(place, run, id, window) {
         title: NAMES[column.name] ?? column.name, unit: unitText(column.unit) }, window, t,
       column.values));
     }
-    for (const { name } of columns) if (shown.has(name)) list.append(shown.get(name).figure.element);
+    const inOrder = columns.map(({ name }) => shown.get(name)).filter(Boolean);
+    list.append(...inOrder.map(({ figure }) => figure.element));
   };
   place.append(h("h4", {}, "Time histories"), windowControls(window),
     h("div.controls.plain", {}, chips("Plots", columns.map(({ name }) => [name,
@@ -64,10 +65,12 @@ function significantTable(rows, predicted) {
     { kind: "unit" }, { title: "mean period", kind: "number" }, { kind: "unit" },
     { title: "linear", kind: "number" }, { kind: "unit" }];
   const cells = rows.map(({ response, result }) => [response.name, show(result.significant, 3),
-    response.unit, show(100 * result.scatter, 2), "%", show(result.predictedSignificant, 3), response.unit,
+    response.unit, show(100 * result.scatter, 2), "%", show(result.predictedSignificant, 3),
+    response.unit,
     percent(result.significant, result.predictedSignificant), "%", show(result.period, 3), "s",
     show(result.predictedPeriod, 3), "s"]);
-  const kept = heads.map((_, i) => i).filter((i) => predicted || [0, 1, 2, 3, 4, 9, 10].includes(i));
+  const alone = [0, 1, 2, 3, 4, 9, 10];
+  const kept = heads.map((_, i) => i).filter((i) => predicted || alone.includes(i));
   return table(kept.map((i) => heads[i]), cells.map((row) => kept.map((i) => row[i])),
     "Significant amplitude, 2σ, and mean period between upward crossings");
 }
@@ -238,8 +241,9 @@ function sweepTable(place, run) {
 
 function block(run, page, number) {
   const id = `run-${number}`;
-  const place = h("div"), summary = h("summary", {}, h("strong", {}, run.name), ` ${describe(run)}`);
-  const element = h("details.run", { id }, summary, place);
+  const place = h("div");
+  const element = h("details.run", { id },
+    h("summary", {}, h("strong", {}, run.name), ` ${describe(run)}`), place);
   const fill = () => {
     if (place.childElementCount) return;
     const facts = [run.file, run.headingDeg === undefined || run.headingDeg === null ? null

@@ -7,11 +7,14 @@ import { panelView } from "./panels.js";
 
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
+const plain = (value) => (Math.abs(value) >= 1e9 ? show(value, 5)
+  : String(Number(value.toPrecision(7))));
+
 // Numbers keep their digits, in groups of three; words stay words.
 function shownValue(value) {
-  const text = String(value ?? "");
+  const text = typeof value === "number" ? plain(value) : String(value ?? "");
   if (!NUMBER.test(text)) return h("td.number", {}, text || "–");
-  const [whole, ...rest] = (typeof value === "number" ? show(value, 6) : text).split(".");
+  const [whole, ...rest] = text.split(".");
   const grouped = /^[+-]?\d{5,}$/.test(whole) ? whole.replace(/\B(?=(\d{3})+$)/g, "\u202f") : whole;
   return h("td.number", {}, [grouped, ...rest].join(".").replace("-", "−"));
 }
