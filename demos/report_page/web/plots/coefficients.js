@@ -1,7 +1,7 @@
 // Coefficients of the database: added mass and damping, excitation, retardation functions.
 import { choice, h, missing, prose, tick } from "./dom.js";
 import { Figure } from "./figure.js";
-import { degrees, show, subscript } from "./format.js";
+import { degrees, subscript } from "./format.js";
 import { complexAt, MODES, pairUnit, phaseDegrees, rotates, title } from "./modes.js";
 import { unwrapped } from "../analysis/curves.js";
 
@@ -9,6 +9,10 @@ const someNotZero = (values) => values?.some((value) => value !== 0 && value !==
 
 const pairsOf = (...tables) => [...new Set(tables.flatMap((table) => Object.keys(table ?? {})
   .filter((pair) => someNotZero(table[pair]))))].sort();
+
+const rounded = (value) => String(Number(value.toPrecision(3)));
+
+const fromZero = (plot, low, high) => [0, high];
 
 const isDiagonal = (pair) => pair[0] === pair[1];
 
@@ -34,8 +38,8 @@ function pairGrid(section, heading, pairs, draw) {
 
 function frequencyMarks({ resolved, masked }) {
   return [
-    ...(masked ?? []).map((x, i) => ({ x, kind: "masked", label: i ? "" : "masked" })),
-    ...(resolved > 0 ? [{ x: resolved, kind: "limit", label: "resolved to here" }] : []),
+    ...(masked ?? []).map((x) => ({ x, kind: "masked" })),
+    ...(resolved > 0 ? [{ x: resolved, kind: "limit", label: "resolved" }] : []),
   ];
 }
 
@@ -52,7 +56,7 @@ function addedMass(pair, place, data, id) {
       dash: [6, 4], colour: 1, width: 1.2 });
   }
   return new Figure(place, { id: `A${id}`, title: `A${subscript(pair)} ${nameIf(pair)}`, marks,
-    x: { label: "ω", unit: "rad/s" }, y: { label: "", unit: pairUnit(pair, "kg"), include },
+    x: { label: "ω", unit: "rad/s", range: fromZero }, y: { label: "", unit: pairUnit(pair, "kg"), include },
     lines });
 }
 
@@ -61,7 +65,7 @@ const nameIf = (pair) => (isDiagonal(pair) ? MODES[pair[0] - 1] : nameOf(pair));
 function damping(pair, place, data, id) {
   const { omega, B } = data;
   return new Figure(place, { id: `B${id}`, title: `B${subscript(pair)} ${nameIf(pair)}`,
-    marks: frequencyMarks(data), x: { label: "ω", unit: "rad/s" },
+    marks: frequencyMarks(data), x: { label: "ω", unit: "rad/s", range: fromZero },
     y: { label: "", unit: pairUnit(pair, "kg/s") },
     lines: [{ label: "B(ω)", x: omega, y: B[pair] ?? omega.map(() => 0) }] });
 }
@@ -72,9 +76,9 @@ function massAndDamping(section, data) {
     return;
   }
   const masked = data.masked?.length ? ` Masked frequencies (dotted) are not used: near them the `
-    + `equations have resonances inside the hull (${data.masked.map((w) => show(w, 3)).join(", ")}`
+    + `equations have resonances inside the hull (${data.masked.map(rounded).join(", ")}`
     + ` rad/s).` : "";
-  const resolved = data.resolved > 0 ? ` The panels resolve waves up to ${show(data.resolved, 3)}`
+  const resolved = data.resolved > 0 ? ` The panels resolve waves up to ${rounded(data.resolved)}`
     + ` rad/s (dashed).` : "";
   section.append(prose(`At zero speed, about G, the centre of gravity.${resolved}${masked}`,
     "p.lead"));
@@ -111,7 +115,7 @@ function excitation(section, data) {
   const grid = h("div.grid.three");
   const figures = MODES.map((name, mode) => new Figure(grid, {
     id: `excitation-${name}`, title: `F${subscript(mode + 1)} ${name}`,
-    x: { label: "ω", unit: "rad/s" }, y: { label: "" }, marks: [] }));
+    x: { label: "ω", unit: "rad/s", range: fromZero }, y: { label: "" }, marks: [] }));
   const update = () => figures.forEach((figure, mode) => {
     const force = rotates(mode) ? "N·m/m" : "N/m";
     figure.spec.y = state.phases ? { label: "", unit: "°", exponent: 0, range: [-180, 180],
@@ -140,7 +144,7 @@ function retardation(section, data) {
   }
   pairGrid(section, "Retardation functions", pairsOf(data.K), (pair, place, coupling) => [
     new Figure(place, { id: `K${coupling ? "-coupling" : pair}`,
-      title: `K${subscript(pair)} ${nameIf(pair)}`, x: { label: "τ", unit: "s" },
+      title: `K${subscript(pair)} ${nameIf(pair)}`, x: { label: "τ", unit: "s", range: fromZero },
       y: { label: "", unit: pairUnit(pair, "kg/s²") },
       lines: [{ label: `K${subscript(pair)}(τ)`, x: data.tau, y: data.K[pair] }] }),
   ]);

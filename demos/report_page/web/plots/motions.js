@@ -108,6 +108,12 @@ function addPoints(page, state, mode, { heading, speed }, style, lines) {
   }
 }
 
+// One range of abscissae for amplitude and phase.
+function rangeOf(lines) {
+  const ends = lines.flatMap(({ x }) => [x[0], x.at(-1)]).filter(Number.isFinite);
+  return ends.length ? () => [Math.min(...ends), Math.max(...ends)] : undefined;
+}
+
 function controls(state, page, update) {
   const kinds = [...new Set(page.raos.map(({ free }) => free))];
   return h("div.controls", {},
@@ -148,7 +154,8 @@ export function motions(section, page) {
     const all = MODES.map((_, mode) => linesOf(page, state, mode));
     legend.replaceChildren(legendOf(all[2].amplitude));
     figures.forEach(({ amplitude, phase }, mode) => {
-      for (const figure of [amplitude, phase]) figure.spec.x = { ...abscissa };
+      const range = rangeOf(all[mode].amplitude);
+      for (const figure of [amplitude, phase]) figure.spec.x = { ...abscissa, range };
       amplitude.setLines(all[mode].amplitude);
       phase.element.hidden = !state.phases;
       phase.setLines(all[mode].phase);

@@ -2,13 +2,33 @@
 import { rightingFacts } from "../analysis/righting.js";
 import { h, missing, prose, table } from "./dom.js";
 import { Figure } from "./figure.js";
-import { show, unitText } from "./format.js";
+import { show, subscript, unitText } from "./format.js";
 import { panelView } from "./panels.js";
 
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
-const plain = (value) => (Math.abs(value) >= 1e9 ? show(value, 5)
-  : String(Number(value.toPrecision(7))));
+// Names of the command's tables in words; others lose their underscores.
+const NAMES = {
+  cog_x: "centre of gravity, x", cog_y: "centre of gravity, y",
+  cog_z: "centre of gravity, z above calm water", gyradius_roll: "gyradius of roll",
+  gyradius_pitch: "gyradius of pitch", gyradius_yaw: "gyradius of yaw",
+  lcb: "centre of buoyancy, x", tcb: "centre of buoyancy, y", vcb: "centre of buoyancy, z",
+  kb: "centre of buoyancy above the keel, KB", lcf: "centre of flotation, x",
+  bm_t: "BM, transverse", bm_l: "BM, lengthwise", gm_t: "GM, transverse", gm_l: "GM, lengthwise",
+  draft: "draught",
+};
+
+function nameOf(name) {
+  if (NAMES[name]) return NAMES[name];
+  return /^C\d\d$/.test(name) ? `stiffness C${subscript(name.slice(1))}`
+    : String(name).replaceAll("_", " ");
+}
+
+// Seven digits; what is 0 but for round-off is 0.
+function plain(value) {
+  if (Math.abs(value) < 1e-9) return "0";
+  return Math.abs(value) >= 1e9 ? show(value, 5) : String(Number(value.toPrecision(7)));
+}
 
 // Numbers keep their digits, in groups of three; words stay words.
 function shownValue(value) {
@@ -23,7 +43,7 @@ function facts(title, rows, otherwise) {
   if (!rows?.length) return h("div", {}, h("h3", {}, title), missing(otherwise));
   return h("div", {}, h("h3", {}, title), table([{}, { kind: "number" }, { kind: "unit" }],
     rows.map(([name, value, unit]) =>
-      [String(name).replaceAll("_", " "), shownValue(value), unitText(unit)])));
+      [nameOf(name), shownValue(value), unitText(unit)])));
 }
 
 function righting(place, data) {
