@@ -10,7 +10,7 @@ const { makeTrack, quaternion, rotate, rowAt, slerp } = await from("motion");
 const { filterCell, fineSquare, gridLevels, makeGrid } = await from("grid");
 const { connectedParts, creasedNormals } = await from("mesh");
 const { niceAbove, pressures } = await from("pressure");
-const { answersAt, boxHull, groupRuns, sceneOfRuns, scenesWithoutRuns } = await from("scenes");
+const { answersAt, boxHull, groupRuns, hullOf, sceneOfRuns, scenesWithoutRuns } = await from("scenes");
 
 const G = 9.80665;
 const near = (a, b, tolerance) => assert.ok(Math.abs(a - b) <= tolerance, `${a} is not ${b}`);
@@ -192,4 +192,14 @@ test("without runs the ship lies still, or moves by its transfer functions, and 
   assert.deepEqual(still.bodies[0].track.at(7).position, [0, 0, 2]);
   near(moving.bodies[0].track.at(7).position[2], 2 + elevation(moving.sea, 7, 0, 0), 1e-9);
   assert.deepEqual(Array.from(answersAt(rao, 140, [5])[2].re), [0]);
+});
+
+test("a database without closed hull shows its panels, of one side mirrored, without the lid", () => {
+  const points = Float32Array.from([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 1, 0]);
+  const faces = Uint32Array.from([0, 1, 2, 3, 1, 4, 2, 2, 0, 1, 3, 3]);
+  const hull = hullOf({ symmetric: true, panels: { points, faces, lid: 1 } });
+  assert.equal(hull.faces.length, 2 * 9);
+  assert.deepEqual(Array.from(hull.faces.slice(9, 12)), [7, 6, 5]);
+  assert.equal(hull.points[15 + 7], -1);
+  assert.throws(() => hullOf({}), /neither a closed hull nor panels/);
 });

@@ -39,7 +39,7 @@ export function makeControls(root, scenes, act) {
   const canvas = make("canvas", {
     tabindex: "0", role: "img",
     "aria-label": "The ship in its sea. Space plays and pauses, arrow keys move in time, " +
-      "1 to 3 choose the camera, plus and minus change the speed.",
+      "1 to 3 choose the camera, plus and minus change the speed, h hides the controls.",
   });
   const read = make("div", { class: "cw-panel cw-read", "aria-hidden": "true" });
   const cells = {};

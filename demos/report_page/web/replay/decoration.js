@@ -116,6 +116,17 @@ class Blocks {
       this.quad(a[i], a[j], b[j], b[i], paint);
     }
   }
+  /// Along the ship at y = 0 from x0 to x1, at the height height(x).
+  rod(x0, x1, height, r, paint) {
+    const ring = (x) => Array.from({ length: 6 }, (_, i) => {
+      const a = (Math.PI * i) / 3;
+      return [x, r * Math.cos(a), height(x) + r * Math.sin(a)];
+    });
+    const [a, b] = [ring(x0), ring(x1)];
+    for (let i = 0; i < 6; ++i) this.quad(a[i], b[i], b[(i + 1) % 6], a[(i + 1) % 6], paint);
+    this.quad(b[0], b[1], b[2], b[3], paint);
+    this.quad(b[0], b[3], b[4], b[5], paint);
+  }
   dome(x, y, z, r, paint) {
     const [rings, sides] = [5, 12];
     const point = (i, j) => {
@@ -224,8 +235,7 @@ function frigate(b, deck, x, L) {
   const zg = deck.heightAt(g, 0);
   b.frustum({ x0: g - 0.018 * L, x1: g + 0.016 * L, h0: 0.013 * L, h1: 0.010 * L, z: zg - 0.1 }, { x0: g - 0.014 * L, x1: g + 0.004 * L, h0: 0.008 * L, h1: 0.006 * L, z: zg + 0.019 * L }, house);
   const barrel = (px) => zg + 0.011 * L + 0.10 * (px - g);
-  b.quad([g, -0.0012 * L, barrel(g)], [g + 0.05 * L, -0.0009 * L, barrel(g + 0.05 * L)], [g + 0.05 * L, 0.0009 * L, barrel(g + 0.05 * L)], [g, 0.0012 * L, barrel(g)], PAINT.metal);
-  b.quad([g, 0, barrel(g) - 0.0012 * L], [g + 0.05 * L, 0, barrel(g + 0.05 * L) - 0.0009 * L], [g + 0.05 * L, 0, barrel(g + 0.05 * L) + 0.0009 * L], [g, 0, barrel(g) + 0.0012 * L], PAINT.metal);
+  b.rod(g, g + 0.05 * L, barrel, 0.0013 * L, PAINT.metal);
   const cells = on(0.735, 0.785, 0.46, 0.007);
   b.frustum(cells.low, cells.high, house, plain);
   const bow = x(0.992);

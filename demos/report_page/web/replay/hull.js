@@ -105,10 +105,11 @@ vec4 paintAt() {
     c *= 0.95 + 0.1 * grain;
     float up = house.y > 0.0 ? (own.z - house.x) / house.y : 0.0;
     if (house.y > 0.12 * shipLength && abs(normalB.z) < 0.6 && up > 0.54 && up < 0.90) {
-      c = vec3(0.012, 0.016, 0.02); gloss = 1.0;
+      float along = abs(normalB.y) > abs(normalB.x) ? own.x / (0.085 * shipLength) : own.y / (0.075 * shipLength) + 0.5;
+      if (abs(fract(along) - 0.5) < 0.45) { c = vec3(0.012, 0.016, 0.02); gloss = 1.0; }
     }
     // Doors and vents, the size of people.
-    if (colours == 0 && house.y > 0.0 && abs(normalB.z) < 0.5) {
+    if (colours == 0 && house.y > 0.0195 * shipLength && house.y < 0.05 * shipLength && abs(normalB.z) < 0.5) {
       float along = abs(normalB.y) > abs(normalB.x) ? own.x : own.y + 31.0;
       float cellOf = floor(along / 4.6), at = abs(fract(along / 4.6) - 0.5) * 4.6, high = own.z - house.x;
       float pick = fract(sin(cellOf * 12.9898 + floor(house.x) * 7.7) * 43758.5);
@@ -116,8 +117,8 @@ vec4 paintAt() {
       float door = step(0.62, pick) * smoothstep(0.40 + e, 0.40, at) * step(0.5, high) * step(high, 2.35);
       float vent = step(pick, 0.25) * smoothstep(0.55 + e, 0.55, at) * step(1.5, high) * step(high, 2.2);
       c *= 1.0 - 0.45 * max(door, vent) * clamp(1.5 - e, 0.0, 1.0);
-      c *= mix(0.70, 1.0, smoothstep(0.0, 0.45, high / house.y));
     }
+    if (house.y > 0.0) c *= mix(0.72, 1.0, smoothstep(0.0, 0.45, (own.z - house.x) / house.y));
     if (normalB.z > 0.8) { c *= colours == 0 ? 0.55 : 0.85; gloss = 0.1; }
   } else if (painted == 2) { c = vec3(0.012, 0.016, 0.020); gloss = 1.0;
   } else if (painted == 3) { c = vec3(0.035);
@@ -151,7 +152,7 @@ void main() {
   float ragged = texture(noise, own.xy * 0.07 + own.z * 0.02).g;
   float wetTop = 0.10 * freeboard + 0.35 * freeboard * ragged;
   float wet = painted == 0 ? 1.0 - smoothstep(0.3 * wetTop, wetTop, above) : 0.0;
-  albedo *= 1.0 - 0.40 * wet;
+  albedo *= 1.0 - (colours == 1 ? 0.14 : 0.36) * wet;
   gloss = mix(gloss, 0.8, wet);
 
   float up = 0.5 + 0.5 * n.z;

@@ -2,6 +2,7 @@
 // line, pressure on the wetted faces. Numbers are the run's; lengths and colours have their legend.
 import * as THREE from "three";
 import { rotate } from "./motion.js";
+import { elevation } from "./wave.js";
 
 /// Colours of force parts, told apart by colour-blind readers too (M. Okabe and K. Ito).
 export const PART_COLOURS = ["#e69f00", "#56b4e9", "#2ee6a8", "#f0e442", "#4c8dff", "#ff7a33",
@@ -38,12 +39,14 @@ function makeArrow(colour) {
   };
 }
 
-/// Track: `count` points of a body's run, past and future apart by brightness.
+/// Track: `count` points of a body's run on the water, past and future apart by brightness.
 function makeTrackLine(count) {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(3 * count), 3));
   geometry.setAttribute("color", new THREE.BufferAttribute(new Float32Array(4 * count), 4));
-  const line = new THREE.Line(geometry, new THREE.LineBasicMaterial({ vertexColors: true, ...onTop }));
+  const line = new THREE.Line(geometry, new THREE.LineBasicMaterial({
+    vertexColors: true, ...onTop, depthTest: true,
+  }));
   line.frustumCulled = false;
   line.renderOrder = 15;
   return line;
@@ -61,9 +64,9 @@ export function makeOverlay(bodies) {
     const mark = new THREE.Mesh(new THREE.SphereGeometry(1, 16, 12),
       new THREE.MeshBasicMaterial({ color: "#ffffff", ...onTop }));
     mark.renderOrder = 19;
-    const rope = makeTrackLine(24);
-    rope.visible = false;
-    rope.material.depthTest = true;
+    const rope = new THREE.Mesh(new THREE.BufferGeometry(),
+      new THREE.MeshBasicMaterial({ color: "#c9b27a", toneMapped: false }));
+    rope.frustumCulled = false;
     group.add(mark, rope);
     return { parts, arrows, line, mark, rope, forces: null, loading: false };
   });
@@ -87,7 +90,7 @@ export function makeOverlay(bodies) {
     group,
     /// Brings all to time t. show: {forces, centre, track}; newtonsPerMetre scales arrows.
     /// Returns per body the force of each part, or null while they are being read.
-    update({ t, origin, poses, show, rows, scaleOf, longest, changed }) {
+    update({ t, sea, eye, origin, poses, show, rows, scaleOf, longest, changed }) {
       return perBody.map((entry, n) => {
         const body = bodies[n];
         const pose = poses[n];
@@ -96,8 +99,9 @@ export function makeOverlay(bodies) {
         entry.mark.visible = show.centre;
         entry.mark.position.copy(place);
         entry.mark.scale.setScalar(0.006 * body.length);
-        updateTrack(entry.line, body.track, t, origin, show.track, TRACK);
-        updateRope(entry.rope, body, pose, poses, bodies, origin);
+        entry.line.visible = show.track && body.track.end > body.track.start;
+        if (entry.line.visible) updateTrack(entry.line, body, t, sea, origin, TRACK);
+        updateRope(entry.rope, body, pose, poses, bodies, origin, eye);
         entry.arrows.forEach((a) => { a.group.visible = false; });
         if (!show.forces || entry.parts.length === 0) return null;
         if (!entry.forces) {
@@ -124,38 +128,45 @@ export function makeOverlay(bodies) {
   };
 }
 
-function updateTrack(line, track, t, origin, visible, count) {
-  line.visible = visible && track.end > track.start;
-  if (!line.visible) return;
+/// Times of the track's points: most of them within two minutes of t, the rest over the whole run.
+function trackTimes({ start, end }, t, count) {
+  const low = Math.max(start, t - 120);
+  const high = Math.min(end, t + 120);
+  const rest = Math.floor(count / 8);
+  const near = count - 2 * rest;
+  const between = (a, b, n) => Array.from({ length: n }, (_, i) => a + ((b - a) * i) / n);
+  return [...between(start, low, rest), ...between(low, high, near), ...between(high, end, rest)];
+}
+
+function updateTrack(line, body, t, sea, origin, count) {
   const place = line.geometry.attributes.position;
   const colour = line.geometry.attributes.color;
-  for (let i = 0; i < count; ++i) {
-    const time = track.start + ((track.end - track.start) * i) / (count - 1);
-    const p = track.at(time).position;
-    place.setXYZ(i, p[0] - origin[0], p[1] - origin[1], 0.3);
+  trackTimes(body.track, t, count).forEach((time, i) => {
+    const [x, y] = body.track.at(time).position;
+    const near = Math.abs(time - t) < 125;
+    const z = (near ? elevation(sea, t, x, y) : 0) + 0.004 * body.length;
+    place.setXYZ(i, x - origin[0], y - origin[1], z);
     const past = time <= t;
-    colour.setXYZW(i, 1, past ? 0.85 : 1, past ? 0.4 : 1, past ? 0.9 : 0.22);
-  }
+    colour.setXYZW(i, 1, past ? 0.8 : 1, past ? 0.3 : 1, past ? 0.95 : 0.4);
+  });
   place.needsUpdate = true;
   colour.needsUpdate = true;
 }
 
 /// A line from a point of this body to a point of another, where the run says so:
-/// tow = {to: name of the other run, from: [x, y, z], at: [x, y, z]} about each body's G.
-function updateRope(rope, body, pose, poses, bodies, origin) {
+/// tow = {to: name of the other run, from: [x, y, z], at: [x, y, z]}, points in each body's axes
+/// about its G [m]. Drawn with some sag and at least a pixel wide: neither is the run's.
+function updateRope(rope, body, pose, poses, bodies, origin, eye) {
   const other = body.tow ? bodies.findIndex(({ name }) => name === body.tow.to) : -1;
   rope.visible = other >= 0;
   if (!rope.visible) return;
-  const end = (p, at) => rotate(p.q, at).map((v, i) => v + p.position[i] - (i < 2 ? origin[i] : 0));
+  const end = (p, at) => new THREE.Vector3(...rotate(p.q, at).map((v, i) =>
+    v + p.position[i] - (i < 2 ? origin[i] : 0)));
   const [a, b] = [end(pose, body.tow.from), end(poses[other], body.tow.at)];
-  const place = rope.geometry.attributes.position;
-  const sag = 0.03 * Math.hypot(...a.map((v, i) => b[i] - v));
-  for (let i = 0; i < place.count; ++i) {
-    const f = i / (place.count - 1);
-    place.setXYZ(i, a[0] + f * (b[0] - a[0]), a[1] + f * (b[1] - a[1]),
-      a[2] + f * (b[2] - a[2]) - 4 * sag * f * (1 - f));
-    rope.geometry.attributes.color.setXYZW(i, 0.05, 0.05, 0.05, 1);
-  }
-  place.needsUpdate = true;
-  rope.geometry.attributes.color.needsUpdate = true;
+  const middle = a.clone().lerp(b, 0.5);
+  middle.z -= 0.03 * a.distanceTo(b);
+  const curve = new THREE.QuadraticBezierCurve3(a, middle, b);
+  const radius = Math.max(0.05, 0.0006 * middle.distanceTo(eye));
+  rope.geometry.dispose();
+  rope.geometry = new THREE.TubeGeometry(curve, 24, radius, 5);
 }

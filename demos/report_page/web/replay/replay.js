@@ -22,8 +22,8 @@ function makeRenderer(canvas, quality) {
   return renderer;
 }
 
-const NOTE = "Heights and slopes of the sea, positions and attitudes are the run's own numbers. " +
-  "Decoration: light, sky, ripples shorter than the run's waves, paint and superstructure. " +
+const RUN = "Heights and slopes of the sea, positions and attitudes are the run's own numbers. ";
+const NOTE = "Decoration: light, sky, ripples shorter than the run's waves, paint and superstructure. " +
   "Left out: the wake, the waves that the ship makes, spray and foam.";
 
 /// Names and makers of all scenes of a page.
@@ -77,7 +77,7 @@ export async function createReplay(element, page) {
     controls.setScene({
       index, start: current.start, end: current.end, seaText: current.seaText,
       bodies: current.bodies.map(({ name }) => name),
-      note: [...current.faults.map((f) => `Not shown: ${f}.`), current.note, NOTE].join(" "),
+      note: [...current.faults.map((f) => `Not shown: ${f}.`), current.note || RUN, NOTE].join(" "),
     });
   }
 
@@ -144,6 +144,7 @@ export async function createReplay(element, page) {
       ArrowUp: () => cameras.turnBy(0, 15), ArrowDown: () => cameras.turnBy(0, -15),
       "[": () => cameras.turnBy(20, 0), "]": () => cameras.turnBy(-20, 0),
       PageUp: () => cameras.scaleBy(0.87), PageDown: () => cameras.scaleBy(1.15),
+      h: () => controls.box.classList.toggle("cw-bare"),
       "+": () => speedBy(1), "=": () => speedBy(1), "-": () => speedBy(-1),
     };
     const act = keys[event.key] ?? (camera && (() => setCamera(camera))) ??

@@ -40,13 +40,36 @@ function seaOf(run, gravity) {
   return makeSea(omega, amplitude, phase, heading, g, ramp ?? 0, run.profile);
 }
 
+/// The closed hull; of a database without one the wet panels, mirrored if they are one side's.
+export function hullOf(ship) {
+  if (ship?.hull) return ship.hull;
+  if (!ship?.panels) throw new Error("the database holds neither a closed hull nor panels to draw");
+  const { points, faces, lid } = ship.panels;
+  const count = faces.length / 4 - (lid ?? 0);
+  const oneSide = ship.symmetric && points.every((v, i) => i % 3 !== 1 || v > -1e-6);
+  const triangles = [];
+  for (let p = 0; p < count; ++p) {
+    const [a, b, c, d] = faces.subarray(4 * p, 4 * p + 4);
+    triangles.push(a, b, c);
+    if (d !== c) triangles.push(a, c, d);
+  }
+  if (!oneSide) return { points, faces: Uint32Array.from(triangles) };
+  const n = points.length / 3;
+  const other = points.map((v, i) => (i % 3 === 1 ? -v : v));
+  const turned = triangles.map((_, i) => n + triangles[i - (i % 3) + 2 - (i % 3)]);
+  return {
+    points: Float32Array.from([...points, ...other]),
+    faces: Uint32Array.from([...triangles, ...turned]),
+  };
+}
+
 async function bodyOf(run, page) {
   const columns = new Map();
   await Promise.all(run.columns.map(async (column) => {
     if (/_F[1-6]$/.test(column.name)) return;
     columns.set(column.name, column.values ?? await column.load());
   }));
-  const hull = run.body ? boxHull(run.body.size) : run.hull ?? page.ship.hull;
+  const hull = run.body ? boxHull(run.body.size) : run.hull ?? hullOf(page.ship);
   return {
     name: run.name, run, hull, box: Boolean(run.body),
     cogZ: run.cogZ ?? page.ship.cog[2], mass: run.hull || run.body ? null : page.ship.mass,
@@ -110,7 +133,7 @@ export function scenesWithoutRuns(page) {
     title, note, seaText, faults: [], sea, hs: significantHeight(sea), tp, start: 0, end: 300,
     density: ship.density ?? 1025,
     bodies: [{
-      name: ship.name, run: null, hull: ship.hull, box: false, cogZ, mass: ship.mass, tow: null,
+      name: ship.name, run: null, hull: hullOf(ship), box: false, cogZ, mass: ship.mass, tow: null,
       track: makeLinearTrack(cogZ, sea, answers, 300),
     }],
   });

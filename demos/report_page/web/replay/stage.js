@@ -16,7 +16,7 @@ import { elevation, rampAt, shortestLength } from "./wave.js";
 const SCALE_COLOURS = ["#233470", "#2c7c95", "#8bb270", "#d7bb55", "#c55529"];
 
 /// Arrows longer than this share of the ship are cut.
-const LONGEST = 0.5;
+const LONGEST = 0.28;
 
 /// What is known of a body's shape: its arrays, box, deck, decoration, and where its bridge is.
 function shapeOf(body) {
@@ -151,7 +151,9 @@ export function makeStage({ renderer, scene, light, sky, camera, quality, change
     surface.setRipples(wind, shortest, t, ...origin);
     colourByPressure(poses, t);
     const rows = bodies.map(({ track }) => (track.columns.has("t") ? rowAt(track.columns.get("t"), t) : null));
-    const forces = overlay.update({ t, origin, poses, show, rows, scaleOf, longest: LONGEST, changed });
+    const forces = overlay.update({
+      t, sea, eye: camera.position, origin, poses, show, rows, scaleOf, longest: LONGEST, changed,
+    });
     renderer.render(world, camera);
     return {
       pose,

@@ -136,7 +136,7 @@ export function makeSums(renderer, grid, view) {
     window: { value: new THREE.Vector4() },
   });
   const camera = new THREE.Camera();
-  let data = new Float32Array(8);
+  let data = new Float32Array(0);
   let turns = new Float64Array(0);
 
   const pass = (into, what) => {

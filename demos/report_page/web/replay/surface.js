@@ -132,7 +132,7 @@ void main() {
   float glint = 0.02 + 0.98 * pow(1.0 - max(dot(v, h), 0.0), 5.0);
   vec3 track = SUN_COLOUR * 2.3 * glint * facets / (4.0 * pow(h.z, 4.0) * max(nv, 0.15));
   track *= 1.0 - hull;
-  track = track / (1.0 + 0.22 * track);
+  track /= 1.0 + 0.45 * track.r;
 
   // Light that comes back out of the water: deep, and thin where a crest stands against the sun.
   vec3 sunSide = normalize(vec3(sun.xy, 0.0));
