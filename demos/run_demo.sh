@@ -25,8 +25,11 @@ fi
 "$cutwater" info "$database" | head -n 12
 
 say "simulate: irregular sea from 150 deg, ten minutes in Bullet"
-"$cutwater" simulate "$(run_file irregular_150 run)" -o "$out/run.csv"
+"$cutwater" simulate "$(run_file irregular_150 run)" --forces -o "$out/run.csv"
 gnuplot -e "in='$out/run.csv'; out='$out/run.png'" "$root/demos/plot_run.gp"
+
+say "simulate: a rough sea at 7 m/s, five minutes in Bullet"
+"$cutwater" simulate "$(run_file storm_160 storm)" --forces -o "$out/storm.csv"
 
 # sweep_and_plot NAME BETA SPEED TITLE: Bullet's points and the frequency domain's lines.
 sweep_and_plot() {
@@ -48,6 +51,20 @@ done
 cp "$out/sweep_150.csv" "$out/sweep.csv"
 cp "$out/sweep_150.png" "$out/sweep.png"
 
+say "report: all of it in one page"
+runs=("$out/run.toml" "$out/storm.toml")
+for name in 030 090 150 180 20kn_030 20kn_150; do
+  runs+=("$out/sweep_$name.toml")
+done
+page=$out/report.html
+if ! said=$("$cutwater" report "$database" "${runs[@]}" -o "$page" 2>&1); then
+  case $said in
+    *"built without the page"*) page=; echo "no page: ${said##*cutwater: report: }" ;;
+    *) printf '%s\n' "$said" >&2; exit 1 ;;
+  esac
+fi
+
 say "done; what to look at:"
+if [ -n "$page" ]; then echo "  $page     all of it in one page: open it in a browser"; fi
 echo "  $out/run.png         motions in the irregular sea (run.csv)"
 echo "  $out/sweep_*.png     Bullet's points lie on the frequency domain's lines (sweep_*.csv)"

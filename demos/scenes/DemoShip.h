@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <initializer_list>
+#include <optional>
 #include <string>
 
 #include "demos/scenes/BulletWorld.h"
@@ -16,15 +17,24 @@
 /// What demos share: the command line, a table, a check that prints.
 namespace cutwater {
 
+/// Where a demo whose OUT.csv was named may leave more files.
+struct SceneFiles {
+  std::string database, stem;  ///< its path; OUT without .csv
+};
+
 /// Rows of numbers that become a CSV.
 class DemoTable {
  public:
-  explicit DemoTable(const char* header) : text_(std::string(header) + '\n') {}
+  explicit DemoTable(const char* header, std::optional<SceneFiles> files = {})
+      : text_(std::string(header) + '\n'), files_(std::move(files)) {}
   void row(std::initializer_list<double> values) { addCsvRow(text_, values); }
   const std::string& text() const noexcept { return text_; }
+  /// Absent: OUT.csv was not named.
+  const std::optional<SceneFiles>& files() const noexcept { return files_; }
 
  private:
   std::string text_;
+  std::optional<SceneFiles> files_;
 };
 
 /// Prints a quantity beside what theory says; true if they agree.
@@ -51,7 +61,12 @@ int demoMain(int argc, char** argv, const std::string& name, const char* header,
     return 2;
   }
   try {
-    DemoTable table(header);
+    std::optional<SceneFiles> files;
+    if (argc > 2) {
+      const std::string out = argv[2];
+      files = SceneFiles{argv[1], out.substr(0, out.size() - (out.ends_with(".csv") ? 4 : 0))};
+    }
+    DemoTable table(header, files);
     const bool good = run(readCoefficients(argv[1]), table);
     writeWhole(argc > 2 ? argv[2] : name + ".csv", table.text());
     return good ? 0 : 1;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "demos/scenes/DemoShip.h"
+#include "demos/scenes/SceneRuns.h"
 #include "plugin/ShipAxes.h"
 
 using namespace cutwater;
@@ -22,23 +23,29 @@ struct Result {
 
 /// Two frigates, one abeam of the other's way, the whole scene turned by `heading`.
 struct Scene {
-  Scene(const std::shared_ptr<const Hydrodynamics>& frigate, double heading, int iterations)
-      : bullet(frigate->ship().gravity), calm(bullet.world), along(rotationZ(heading)) {
+  Scene(const std::shared_ptr<const Hydrodynamics>& frigate, double heading, int iterations,
+        const DemoTable& table)
+      : bullet(frigate->ship().gravity),
+        calm(bullet.world),
+        along(rotationZ(heading)),
+        shown(table, calm, kTick, 4) {
     bullet.world.getSolverInfo().m_numIterations = iterations;
     // The bow 1.8 m off the other's side.
-    runs = &add(frigate, along * Vec3(-78.0, 0.0, 0.0), heading, kSpeed);
-    lies = &add(frigate, along * Vec3(0.0, 2.0, 0.0), heading + kPi / 2.0, 0.0);
+    runs = &add(frigate, "striking", along * Vec3(-78.0, 0.0, 0.0), heading, kSpeed);
+    lies = &add(frigate, "struck", along * Vec3(0.0, 2.0, 0.0), heading + kPi / 2.0, 0.0);
     runs->body().setFriction(0);
   }
-  Ship& add(const std::shared_ptr<const Hydrodynamics>& frigate, const Vec3& at, double heading,
-            double speed) {
+  Ship& add(const std::shared_ptr<const Hydrodynamics>& frigate, const char* name, const Vec3& at,
+            double heading, double speed) {
     ShipSettings settings;
     settings.start = {.x = at.x(), .y = at.y(), .heading = heading, .speed = speed};
     // Linear, where the water's momentum is A∞ v and that of the waves. Otherwise a hull that comes
     // out of the water leaves its share behind.
     settings.model.mode = HullPressure::Linear;
     settings.model.hullLift = settings.model.resistance = false;
-    return calm.addShip(frigate, settings);
+    Ship& ship = calm.addShip(frigate, settings);
+    shown.ship(name, ship, settings);
+    return ship;
   }
   // Along the way of the first, to its port.
   Vec3 momentum(const Ship& ship) const {
@@ -51,12 +58,13 @@ struct Scene {
   BulletWorld bullet;
   Seaway calm;
   Mat3 along;
+  SceneRuns shown;
   Ship *runs = nullptr, *lies = nullptr;
 };
 
 Result collide(const std::shared_ptr<const Hydrodynamics>& frigate, double heading, int iterations,
                DemoTable& table) {
-  Scene scene(frigate, heading, iterations);
+  Scene scene(frigate, heading, iterations, table);
   const Ship &runs = *scene.runs, &lies = *scene.lies;
   // The first tick finds the water's momentum about a ship that has long had its speed.
   scene.bullet.world.stepSimulation(kTick, 1, kTick);
@@ -81,6 +89,7 @@ Result collide(const std::shared_ptr<const Hydrodynamics>& frigate, double headi
     }
   }
   result.faults = scene.calm.faults();
+  if (heading == 0.0) scene.shown.write();  // the last one, of most iterations, stays
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "demos/scenes/DemoShip.h"
+#include "demos/scenes/SceneRuns.h"
 
 using namespace cutwater;
 
@@ -55,6 +56,9 @@ bool run(const Coefficients& frigate, DemoTable& table) {
   bullet.world.addRigidBody(&load);
   btPoint2PointConstraint rope(ship.body(), load, head, btVector3(0, 0, btScalar(kRope)));
   bullet.world.addConstraint(&rope, true);
+  SceneRuns runs(table, calm, kTick, 4);
+  runs.ship("ship", ship, settings);
+  runs.box("load", load, {2.0, 2.0, 2.0});  // a ball, as large
 
   // As the ship's: at the start of a tick, by the mean of the velocities before and after it.
   const auto tick = [&] {
@@ -93,6 +97,7 @@ bool run(const Coefficients& frigate, DemoTable& table) {
   good &= agrees("period of the load [s]", (ended - begun) / swings, period(frigate), 0.03);
   good &= isBelow("energy gained, of what the load was lifted by", most, 1e-6);
   good &= isBelow("rope stretched, of its length", stretch, 1e-4);
+  runs.write();
   bullet.world.removeConstraint(&rope);
   bullet.world.removeRigidBody(&load);
   return good;

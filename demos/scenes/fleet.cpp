@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "demos/scenes/DemoShip.h"
+#include "demos/scenes/SceneRuns.h"
 #include "hydro/waves/Spectrum.h"
 
 using namespace cutwater;
@@ -15,7 +16,7 @@ using namespace cutwater;
 namespace {
 
 constexpr double kTick = 1.0 / 60.0, kSpeed = 6.0, kApart = 300.0, kDuration = 5.0;
-constexpr int kColumns = 40, kRows = 25;
+constexpr int kColumns = 40, kRows = 25, kShown = 4;
 
 struct Outcome {
   std::vector<btScalar> state;  // place and velocity of every ship
@@ -29,6 +30,8 @@ Outcome sail(const std::shared_ptr<const Hydrodynamics>& frigate, const SeaState
   Seaway seaway(bullet.world, sea);
   seaway.setThreads(threads);
   btBoxShape hull(btVector3(60, 7, 5));
+  std::optional<SceneRuns> runs;
+  if (table != nullptr) runs.emplace(*table, seaway, kTick, 3);
   for (int i = 0; i < kColumns * kRows; ++i) {
     ShipSettings settings;
     settings.start.x = kApart * (i % kColumns);
@@ -40,7 +43,11 @@ Outcome sail(const std::shared_ptr<const Hydrodynamics>& frigate, const SeaState
     settings.model.keepSpeed = SpeedKeeper{.speed = kSpeed};
     settings.model.keepCourse = CourseKeeper{.heading = settings.start.heading};
     settings.collision.shape = &hull;
-    seaway.addShip(frigate, settings).prepare(kTick);
+    Ship& ship = seaway.addShip(frigate, settings);
+    ship.prepare(kTick);
+    // The corner of the fleet that a page can show.
+    if (runs && i % kColumns < kShown && i / kColumns < kShown)
+      runs->ship(std::to_string(i), ship, settings);
   }
   const auto begun = std::chrono::steady_clock::now();
   while (seaway.time() < kDuration - 0.5 * kTick) {
@@ -55,6 +62,7 @@ Outcome sail(const std::shared_ptr<const Hydrodynamics>& frigate, const SeaState
   }
   Outcome outcome;
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begun;
+  if (runs) runs->write();
   outcome.factor = kDuration / spent.count();
   outcome.faults = seaway.faults();
   for (const auto& ship : seaway.ships()) {

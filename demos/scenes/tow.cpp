@@ -6,13 +6,14 @@
 #include <deque>
 
 #include "demos/scenes/DemoShip.h"
+#include "demos/scenes/SceneRuns.h"
 
 using namespace cutwater;
 
 namespace {
 
 constexpr double kTick = 1.0 / 64.0, kPull = 3e5, kTug = 400e3, kLink = 1e3, kLength = 5.0;
-constexpr int kLinks = 8;
+constexpr int kLinks = 8, kMostIterations = 400;
 
 // The tug and the links float, but move no water.
 struct Line {
@@ -70,6 +71,12 @@ Result pull(const Coefficients& frigate, int iterations, DemoTable& table) {
   settings.model.restrained[Yaw] = true;
   Ship& ship = calm.addShip(frigate, settings);
   Line line(bullet, ship);
+  SceneRuns runs(table, calm, kTick, 4);
+  runs.ship("ship", ship, settings);
+  for (int i = 0; i < kLinks; ++i)
+    runs.box("link" + std::to_string(i + 1), line.bodies[static_cast<std::size_t>(i)],
+             {0.4, kLength, 0.4});
+  runs.box("tug", line.bodies.back(), {8.0, kLength, 4.0});
   Result result;
   double pulled = 0.0, given = 0.0, pulledBefore = 0.0, speedBefore = 0.0;
   for (int i = 1; i <= 30 * 64; ++i) {
@@ -90,6 +97,7 @@ Result pull(const Coefficients& frigate, int iterations, DemoTable& table) {
                ofTug, given});
   }
   result.faults = calm.faults();
+  if (iterations == kMostIterations) runs.write();
   return result;
 }
 
@@ -98,7 +106,7 @@ bool run(const Coefficients& database, DemoTable& table) {
   frigate.ship.supplementary = {};
   std::puts("iterations  impulse lost");
   Result r;
-  for (const int iterations : {10, 20, 50, 100, 200, 400}) {
+  for (const int iterations : {10, 20, 50, 100, 200, kMostIterations}) {
     r = pull(frigate, iterations, table);
     std::printf("%10d %13.2e\n", iterations, r.lost);
   }

@@ -52,6 +52,7 @@ class SeaState {
   /// Wave number of component i [1/m].
   double waveNumber(std::size_t i) const noexcept { return waveNumber_[i]; }
   WaveProfile profile() const noexcept { return profile_; }
+  double rampTime() const noexcept { return ramp_; }  ///< [s]
   /// Growth factor at time t [s], 0..1.
   double ramp(double t) const noexcept;
   /// ζ [m] at time t [s] and earth position x, y [m]. No allocation; O(components).

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <mutex>
+#include <set>
 
 #include "hydro/Errors.h"
 #include "hydro/memory/Resonances.h"
@@ -48,7 +50,10 @@ void say(const std::string& line) {
 }
 
 void warn(const std::string& line) {
-  if (!line.empty()) say("cutwater: warning: " + line);
+  static std::mutex mutex;
+  static std::set<std::string> said;
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (!line.empty() && said.insert(line).second) say("cutwater: warning: " + line);
 }
 
 }  // namespace cutwater::command

@@ -10,7 +10,7 @@ namespace cutwater::command {
 /// One line on stderr, in printable form and with nothing lost but what is longer than any sensible
 /// line. That stderr is closed or full is no failure: messages are not the result.
 void say(const std::string& line);
-/// "cutwater: warning: line"; nothing if `line` is empty.
+/// "cutwater: warning: line", the same line once; nothing if `line` is empty.
 void warn(const std::string& line);
 /// `text` for a terminal: control characters as \xNN, and if it has more than `most` bytes, its
 /// beginning and its length.
