@@ -1,4 +1,4 @@
-"""report_test.py COMMAND FRIGATE.h5 FRIGATE.toml BOAT.h5: the page of `cutwater report`.
+"""report_test.py COMMAND FRIGATE.h5 FRIGATE.toml BOAT.h5 CRANE: the page of `cutwater report`.
 
 Its data are those of the other commands and of the runs' CSV; what does not fit is refused.
 """
@@ -16,7 +16,7 @@ import time
 import unittest
 import zlib
 
-COMMAND, DATABASE, SHIP, BOAT = (os.path.abspath(a) for a in sys.argv[1:5])
+COMMAND, DATABASE, SHIP, BOAT, CRANE = (os.path.abspath(a) for a in sys.argv[1:6])
 FULL = "CUTWATER_FULL" in os.environ
 MOTIONS = "t,x,y,z,roll_deg,pitch_deg,yaw_deg,u,v,w,p,q,r,wave".split(",")
 RUN = """database = "{database}"
@@ -88,6 +88,15 @@ def series(value):
 
 def complex_at(values, index):
     return complex(values[2 * index], values[2 * index + 1])
+
+
+def earth(row, point):
+    """A point of the body, from G, in earth axes; row: x, y, z, roll, pitch, yaw [deg]."""
+    (x, y, z), (roll, pitch, yaw) = point, (math.radians(angle) for angle in row[3:])
+    y, z = y * math.cos(roll) - z * math.sin(roll), y * math.sin(roll) + z * math.cos(roll)
+    x, z = x * math.cos(pitch) + z * math.sin(pitch), z * math.cos(pitch) - x * math.sin(pitch)
+    x, y = x * math.cos(yaw) - y * math.sin(yaw), x * math.sin(yaw) + y * math.cos(yaw)
+    return row[0] + x, row[1] + y, row[2] + z
 
 
 def elevation(run, t, x, y):
@@ -324,6 +333,23 @@ class Runs(Pages):
         self.assertIsNone(crate["linear"])
         self.assertTrue(math.isnan(series(crate["columns"][3]["series"])[0]))
         self.assertEqual(list(blob(crate["sea"]["omega"])), [0.8])
+
+    def test_a_scene_of_several_bodies(self):
+        """Of the demo `crane`: the load hangs 10 m below the boom's head at every common time."""
+        subprocess.run([CRANE, DATABASE, self.path("crane.csv")], check=True, capture_output=True)
+        runs = [self.path("crane_ship.toml"), self.path("crane_load.toml")]
+        ship, load = self.data(*runs)["runs"]
+        self.assertEqual((ship["mode"], ship["body"], load["body"]),
+                         ("nonlinear", None, {"size": [2, 2, 2]}))
+        rows = []
+        for run in (ship, load):
+            columns = [series(column["series"]) for column in run["columns"][:7]]
+            rows.append({round(row[0], 6): row[1:] for row in zip(*columns)})
+        common = sorted(set(rows[0]) & set(rows[1]))
+        self.assertGreater(len(common), 3000)
+        for t in common:
+            x, y, z = (a - b for a, b in zip(rows[1][t], earth(rows[0][t], (-9, 12, 14))))
+            self.assertAlmostEqual(math.sqrt(x * x + y * y + z * z), 10, delta=0.003)
 
     def test_long_runs_go_through_in_seconds(self):
         rows = 720000 if FULL else 72000
