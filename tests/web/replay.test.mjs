@@ -10,7 +10,8 @@ const { makeTrack, quaternion, rotate, rowAt, slerp } = await from("motion");
 const { filterCell, fineSquare, gridLevels, makeGrid } = await from("grid");
 const { connectedParts, creasedNormals } = await from("mesh");
 const { niceAbove, pressures } = await from("pressure");
-const { answersAt, boxHull, groupRuns, hullOf, sceneOfRuns, scenesWithoutRuns } = await from("scenes");
+const { answersAt, boxHull, groupRuns, hullOf, sceneOfRuns, scenesWithoutRuns } =
+  await from("scenes");
 
 const G = 9.80665;
 const near = (a, b, tolerance) => assert.ok(Math.abs(a - b) <= tolerance, `${a} is not ${b}`);
@@ -181,7 +182,7 @@ test("runs in one sea are one scene; a run that lacks a column is left out and n
   assert.match(scene.faults[0], /yaw_deg/);
 });
 
-test("without runs the ship lies still, or moves by its transfer functions, and the page says so", () => {
+test("without runs the ship lies still, or moves by its transfer functions; a note says so", () => {
   const omega = [0.1, 3];
   const values = new Float32Array(2 * 6 * 2);
   for (const i of [0, 1]) values[(i * 6 + 2) * 2] = 1; // heave follows the wave
@@ -194,7 +195,7 @@ test("without runs the ship lies still, or moves by its transfer functions, and 
   assert.deepEqual(Array.from(answersAt(rao, 140, [5])[2].re), [0]);
 });
 
-test("a database without closed hull shows its panels, of one side mirrored, without the lid", () => {
+test("without a closed hull the panels are shown, one side mirrored, without the lid", () => {
   const points = Float32Array.from([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 1, 0]);
   const faces = Uint32Array.from([0, 1, 2, 3, 1, 4, 2, 2, 0, 1, 3, 3]);
   const hull = hullOf({ symmetric: true, panels: { points, faces, lid: 1 } });

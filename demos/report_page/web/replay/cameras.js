@@ -1,5 +1,6 @@
-// Three cameras: one follows the ship and turns with its course, one orbits with a fixed bearing, one
-// stands on the bridge and heels with the ship. Drag turns, wheel and pinch change the distance.
+// Three cameras: one follows the ship and turns with its course, one orbits with a fixed bearing,
+// one stands on the bridge and heels with the ship. Drag turns, wheel and pinch change the
+// distance.
 import * as THREE from "three";
 
 export const CAMERAS = ["follow", "orbit", "bridge"];
@@ -7,7 +8,9 @@ const RAD = Math.PI / 180;
 
 export function makeCameras(camera, canvas, changed) {
   const state = {
-    kind: "follow", length: 100, scale: 1,
+    kind: "follow",
+    length: 100,
+    scale: 1,
     follow: { turn: -34 * RAD, lift: 8 * RAD, distance: 1.25 },
     orbit: { turn: 60 * RAD, lift: 14 * RAD, distance: 1.5 },
     bridge: { turn: 0, lift: -4 * RAD, distance: 1 },
@@ -18,14 +21,19 @@ export function makeCameras(camera, canvas, changed) {
   const turnBy = (dx, dy) => {
     const s = state[state.kind];
     const inside = state.kind === "bridge";
-    s.turn += (inside ? 0.22 : -0.30) * dx * RAD * (inside ? 1 : 1);
-    s.lift = inside ? clamp(s.lift + 0.2 * dy * RAD, -70 * RAD, 60 * RAD)
+    s.turn += (inside ? 0.22 : -0.3) * dx * RAD * (inside ? 1 : 1);
+    s.lift = inside
+      ? clamp(s.lift + 0.2 * dy * RAD, -70 * RAD, 60 * RAD)
       : clamp(s.lift + 0.22 * dy * RAD, -6 * RAD, 88 * RAD);
     changed();
   };
   const scaleBy = (factor) => {
     const s = state[state.kind];
-    s.distance = clamp(s.distance * factor, state.kind === "bridge" ? 0.35 : 0.16, state.kind === "bridge" ? 1.6 : 40);
+    s.distance = clamp(
+      s.distance * factor,
+      state.kind === "bridge" ? 0.35 : 0.16,
+      state.kind === "bridge" ? 1.6 : 40,
+    );
     changed();
   };
 
@@ -48,8 +56,12 @@ export function makeCameras(camera, canvas, changed) {
       if (pointers.size === 2) scaleBy(before / Math.max(1, spread()));
       else turnBy(dx, dy);
     },
-    pointerup(event) { pointers.delete(event.pointerId); },
-    pointercancel(event) { pointers.delete(event.pointerId); },
+    pointerup(event) {
+      pointers.delete(event.pointerId);
+    },
+    pointercancel(event) {
+      pointers.delete(event.pointerId);
+    },
     wheel(event) {
       event.preventDefault();
       scaleBy(Math.exp(0.0012 * event.deltaY * (event.deltaMode === 1 ? 30 : 1)));
@@ -72,9 +84,15 @@ export function makeCameras(camera, canvas, changed) {
       if (state.kind === "bridge") {
         camera.fov = clamp(58 * s.distance, 20, 95);
         camera.near = 0.05 + 0.0005 * state.length;
-        camera.position.set(...eye).applyQuaternion(pose.q).add(pose.place);
+        camera.position
+          .set(...eye)
+          .applyQuaternion(pose.q)
+          .add(pose.place);
         const ahead = new THREE.Vector3(
-          Math.cos(s.lift) * Math.cos(-s.turn), Math.cos(s.lift) * Math.sin(-s.turn), Math.sin(s.lift));
+          Math.cos(s.lift) * Math.cos(-s.turn),
+          Math.cos(s.lift) * Math.sin(-s.turn),
+          Math.sin(s.lift),
+        );
         camera.up.set(0, 0, 1).applyQuaternion(pose.q);
         target.copy(ahead).applyQuaternion(pose.q).add(camera.position);
       } else {
@@ -85,8 +103,12 @@ export function makeCameras(camera, canvas, changed) {
         camera.position.set(
           target.x + d * Math.cos(s.lift) * Math.cos(bearing),
           target.y + d * Math.cos(s.lift) * Math.sin(bearing),
-          target.z + d * Math.sin(s.lift));
-        camera.position.z = Math.max(camera.position.z, floor(camera.position.x, camera.position.y));
+          target.z + d * Math.sin(s.lift),
+        );
+        camera.position.z = Math.max(
+          camera.position.z,
+          floor(camera.position.x, camera.position.y),
+        );
       }
       camera.lookAt(target);
       camera.updateProjectionMatrix();

@@ -37,20 +37,34 @@ const clock = (t) => {
 /// wishes; names of scenes come in `scenes`.
 export function makeControls(root, scenes, act) {
   const canvas = make("canvas", {
-    tabindex: "0", role: "img",
-    "aria-label": "The ship in its sea. Space plays and pauses, arrow keys move in time, " +
+    tabindex: "0",
+    role: "img",
+    "aria-label":
+      "The ship in its sea. Space plays and pauses, arrow keys move in time, " +
       "1 to 3 choose the camera, plus and minus change the speed, h hides the controls.",
   });
   const read = make("div", { class: "cw-panel cw-read", "aria-hidden": "true" });
   const cells = {};
-  for (const [key, name, unit] of [["t", "time", "s"], ["heave", "heave", "m"], ["roll", "roll", "°"],
-    ["pitch", "pitch", "°"], ["speed", "speed", "m/s"], ["zeta", "wave at G", "m"]]) {
+  for (const [key, name, unit] of [
+    ["t", "time", "s"],
+    ["heave", "heave", "m"],
+    ["roll", "roll", "°"],
+    ["pitch", "pitch", "°"],
+    ["speed", "speed", "m/s"],
+    ["zeta", "wave at G", "m"],
+  ]) {
     cells[key] = make("b");
     read.append(make("span", {}, name), cells[key], make("span", {}, unit));
   }
-  const sceneList = make("select", { "aria-label": "Scene", onchange: (e) => act.scene(Number(e.target.value)) },
-    ...scenes.map((name, i) => make("option", { value: i }, name)));
-  const bodyList = make("select", { "aria-label": "Body in view", onchange: (e) => act.body(Number(e.target.value)) });
+  const sceneList = make(
+    "select",
+    { "aria-label": "Scene", onchange: (e) => act.scene(Number(e.target.value)) },
+    ...scenes.map((name, i) => make("option", { value: i }, name)),
+  );
+  const bodyList = make("select", {
+    "aria-label": "Body in view",
+    onchange: (e) => act.body(Number(e.target.value)),
+  });
   const about = make("small");
   const aboutPanel = make("div", { class: "cw-panel cw-about" });
   sceneList.hidden = scenes.length < 2;
@@ -60,39 +74,90 @@ export function makeControls(root, scenes, act) {
   const ruleText = make("span");
   const rule = make("div", { class: "cw-panel cw-rule" }, ruleText, ruleBar);
 
-  const play = make("button", { class: "cw-play", type: "button", title: "Space", onclick: () => act.toggle() });
+  const play = make("button", {
+    class: "cw-play",
+    type: "button",
+    title: "Space",
+    onclick: () => act.toggle(),
+  });
   const slider = make("input", {
-    type: "range", min: 0, max: 1000, step: "any", "aria-label": "Time",
+    type: "range",
+    min: 0,
+    max: 1000,
+    step: "any",
+    "aria-label": "Time",
     oninput: (e) => act.seek(Number(e.target.value)),
   });
   const time = make("span", { class: "cw-time" });
-  const speed = make("select", { "aria-label": "Speed of the replay", onchange: (e) => act.speed(Number(e.target.value)) },
-    ...SPEEDS.map((s) => make("option", { value: s }, s === 0.25 ? "¼ speed" : s === 0.5 ? "½ speed" : s === 1 ? "real speed" : `${s} ×`)));
+  const speed = make(
+    "select",
+    { "aria-label": "Speed of the replay", onchange: (e) => act.speed(Number(e.target.value)) },
+    ...SPEEDS.map((s) =>
+      make(
+        "option",
+        { value: s },
+        s === 0.25 ? "¼ speed" : s === 0.5 ? "½ speed" : s === 1 ? "real speed" : `${s} ×`,
+      ),
+    ),
+  );
   const cameraButtons = new Map();
-  const cameras = make("span", { class: "cw-set", role: "group", "aria-label": "Camera" },
-    ...[["follow", "Follow"], ["orbit", "Orbit"], ["bridge", "Bridge"]].map(([kind, name], i) => {
-      const button = make("button", { type: "button", title: `key ${i + 1}`, onclick: () => act.camera(kind) }, name);
+  const cameras = make(
+    "span",
+    { class: "cw-set", role: "group", "aria-label": "Camera" },
+    ...[
+      ["follow", "Follow"],
+      ["orbit", "Orbit"],
+      ["bridge", "Bridge"],
+    ].map(([kind, name], i) => {
+      const button = make(
+        "button",
+        { type: "button", title: `key ${i + 1}`, onclick: () => act.camera(kind) },
+        name,
+      );
       cameraButtons.set(kind, button);
       return button;
-    }));
+    }),
+  );
   const boxes = new Map();
-  const menu = make("div", { class: "cw-menu" }, ...OVERLAYS.map(([key, name, letter]) => {
-    const box = make("input", { type: "checkbox", onchange: (e) => act.overlay(key, e.target.checked) });
-    boxes.set(key, box);
-    return make("label", { title: `key ${letter}` }, box, ` ${name}`);
-  }));
-  const gain = make("select", { "aria-label": "Length of the arrows", onchange: (e) => act.gain(Number(e.target.value)) },
-    ...[1, 4, 16, 64].map((g) => make("option", { value: g }, `arrows ${g} ×`)));
+  const menu = make(
+    "div",
+    { class: "cw-menu" },
+    ...OVERLAYS.map(([key, name, letter]) => {
+      const box = make("input", {
+        type: "checkbox",
+        onchange: (e) => act.overlay(key, e.target.checked),
+      });
+      boxes.set(key, box);
+      return make("label", { title: `key ${letter}` }, box, ` ${name}`);
+    }),
+  );
+  const gain = make(
+    "select",
+    { "aria-label": "Length of the arrows", onchange: (e) => act.gain(Number(e.target.value)) },
+    ...[1, 4, 16, 64].map((g) => make("option", { value: g }, `arrows ${g} ×`)),
+  );
   menu.append(gain);
   const full = make("button", {
-    type: "button", title: "Full screen",
-    onclick: () => (document.fullscreenElement ? document.exitFullscreen() : box.requestFullscreen?.()),
+    type: "button",
+    title: "Full screen",
+    onclick: () =>
+      document.fullscreenElement ? document.exitFullscreen() : box.requestFullscreen?.(),
   });
-  full.innerHTML = '<svg width="13" height="13" viewBox="0 0 13 13" fill="none" stroke="currentColor" ' +
+  full.innerHTML =
+    '<svg width="13" height="13" viewBox="0 0 13 13" fill="none" stroke="currentColor" ' +
     'stroke-width="1.6"><path d="M1 4.5V1h3.5M8.5 1H12v3.5M12 8.5V12H8.5M4.5 12H1V8.5"/></svg>';
   full.setAttribute("aria-label", "Full screen");
-  const bar = make("div", { class: "cw-panel cw-bar" }, play, slider, time, speed, cameras,
-    make("details", {}, make("summary", {}, "Show"), menu), full);
+  const bar = make(
+    "div",
+    { class: "cw-panel cw-bar" },
+    play,
+    slider,
+    time,
+    speed,
+    cameras,
+    make("details", {}, make("summary", {}, "Show"), menu),
+    full,
+  );
   const box = make("div", { class: "cw-replay" }, canvas, read, aboutPanel, legend, rule, bar);
   const note = make("p", { class: "cw-note" });
   root.replaceChildren(box, note);
@@ -101,14 +166,22 @@ export function makeControls(root, scenes, act) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const tag = event.target.tagName;
     if (tag === "SELECT") return;
-    if (event.key === " " && (tag === "BUTTON" || tag === "SUMMARY" || event.target.type === "checkbox")) return;
+    if (
+      event.key === " " &&
+      (tag === "BUTTON" || tag === "SUMMARY" || event.target.type === "checkbox")
+    )
+      return;
     if (tag === "INPUT" && event.target.type === "range" && event.key.startsWith("Arrow")) return;
     if (act.key(event)) event.preventDefault();
   });
 
-  const text = (node, value) => { if (node.textContent !== value) node.textContent = value; };
+  const text = (node, value) => {
+    if (node.textContent !== value) node.textContent = value;
+  };
   return {
-    box, canvas, legend,
+    box,
+    canvas,
+    legend,
     setScene({ index, start, end, bodies, seaText, note: noteText }) {
       sceneList.value = String(index);
       bodyList.replaceChildren(...bodies.map((name, i) => make("option", { value: i }, name)));
@@ -128,9 +201,12 @@ export function makeControls(root, scenes, act) {
       text(play, playing ? "❚❚ Pause" : "▶ Play");
       play.setAttribute("aria-label", playing ? "Pause" : "Play");
     },
-    setSpeed: (s) => { speed.value = String(s); },
+    setSpeed: (s) => {
+      speed.value = String(s);
+    },
     setCamera(kind) {
-      for (const [name, button] of cameraButtons) button.setAttribute("aria-pressed", String(name === kind));
+      for (const [name, button] of cameraButtons)
+        button.setAttribute("aria-pressed", String(name === kind));
     },
     setOverlay(key, on, possible = true) {
       boxes.get(key).checked = on;
@@ -140,7 +216,9 @@ export function makeControls(root, scenes, act) {
       gain.value = String(g);
       gain.hidden = !shown;
     },
-    setBody: (i) => { bodyList.value = String(i); },
+    setBody: (i) => {
+      bodyList.value = String(i);
+    },
     setRule(pixels, metres) {
       rule.hidden = !(pixels > 0);
       ruleBar.style.width = `${pixels.toFixed(0)}px`;
@@ -151,9 +229,21 @@ export function makeControls(root, scenes, act) {
       if (pressure) {
         const ramp = make("div", { class: "cw-ramp" });
         ramp.style.background = `linear-gradient(90deg, ${pressure.colours.join(", ")})`;
-        blocks.push(make("div", {}, make("div", {}, "pressure of the water, kPa"), ramp,
-          make("div", { class: "cw-ticks" }, ...[0, 0.25, 0.5, 0.75, 1].map((f) =>
-            make("span", {}, String(Number((f * pressure.top).toPrecision(3))))))));
+        blocks.push(
+          make(
+            "div",
+            {},
+            make("div", {}, "pressure of the water, kPa"),
+            ramp,
+            make(
+              "div",
+              { class: "cw-ticks" },
+              ...[0, 0.25, 0.5, 0.75, 1].map((f) =>
+                make("span", {}, String(Number((f * pressure.top).toPrecision(3)))),
+              ),
+            ),
+          ),
+        );
       }
       if (forces) {
         const rows = forces.rows.flatMap(({ colour, name, value }) => {
@@ -161,7 +251,14 @@ export function makeControls(root, scenes, act) {
           dot.style.background = colour;
           return [make("span", {}, dot, name), make("b", {}, value)];
         });
-        blocks.push(make("div", {}, make("div", { class: "cw-parts" }, ...rows), make("small", {}, forces.text)));
+        blocks.push(
+          make(
+            "div",
+            {},
+            make("div", { class: "cw-parts" }, ...rows),
+            make("small", {}, forces.text),
+          ),
+        );
       }
       legend.replaceChildren(...blocks);
     },

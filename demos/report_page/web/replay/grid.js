@@ -1,8 +1,8 @@
 // The vertices at which the sea is drawn: a fine square around the ship and rings about it, each of
 // twice the cell of the one inside, to the horizon. Pure numbers; surface.js draws them.
 //
-// Where two cell sizes meet, the finer side leaves out every second vertex of its edge, so that both
-// sides have the same edges and no crack can open. All vertices lie on the formula itself.
+// Where two cell sizes meet, the finer side leaves out every second vertex of its edge, so that
+// both sides have the same edges and no crack can open. All vertices lie on the formula itself.
 
 /// Half the number of cells of the fine square, and its cell [m]: it reaches 0.62 lengths ahead and
 /// astern of the ship, and its cells are at most 0.5 m.
@@ -26,8 +26,8 @@ export function gridLevels(cell, half, ring, reach) {
 }
 
 /// {places: Float32Array [x, y, filter] per vertex, indices: Uint32Array, row: vertices in a row of
-/// the fine square, levels}. `filter` [m] is the cell that waves are faded by: 0 where every wave of
-/// the run is drawn, growing steadily outwards, so that nothing jumps where two levels meet.
+/// the fine square, levels}. `filter` [m] is the cell that waves are faded by: 0 where every wave
+/// of the run is drawn, growing steadily outwards, so that nothing jumps where two levels meet.
 export function makeGrid({ cell, half, ring, reach, skirt }) {
   const levels = gridLevels(cell, half, ring, reach);
   const places = [];

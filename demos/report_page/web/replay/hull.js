@@ -3,7 +3,7 @@
 import * as THREE from "three";
 import { LIGHT_GLSL } from "./light.js";
 
-const VERTEX = /* glsl */ `
+const VERTEX = `
 in float paint;
 in vec2 band;
 in float pressure;
@@ -26,7 +26,7 @@ void main() {
   gl_Position = projectionMatrix * viewMatrix * p;
 }`;
 
-const FRAGMENT = /* glsl */ `
+const FRAGMENT = `
 precision highp float;
 ${LIGHT_GLSL}
 uniform highp sampler2D water;
@@ -63,11 +63,13 @@ float seaAt(vec2 p) {
 vec4 paintAt() {
   float z = own.z - calm;
   float scale = max(0.25, 0.012 * shipLength);
-  float grain = texture(noise, own.xz * 0.11 / scale).g * 0.6 + texture(noise, own.xy * 0.05 / scale).b * 0.4;
+  float grain = 0.6 * texture(noise, own.xz * 0.11 / scale).g +
+                0.4 * texture(noise, own.xy * 0.05 / scale).b;
   float streak = texture(noise, vec2(own.x * 0.6, own.z * 0.04) / scale).b;
   vec3 c;
   float gloss = 0.25;
-  vec3 topsides = colours == 0 ? vec3(0.235, 0.262, 0.285) : colours == 1 ? vec3(0.70, 0.70, 0.68) : vec3(0.10, 0.16, 0.26);
+  vec3 topsides = colours == 0 ? vec3(0.235, 0.262, 0.285)
+                : colours == 1 ? vec3(0.70, 0.70, 0.68) : vec3(0.10, 0.16, 0.26);
   vec3 bottom = colours == 1 ? vec3(0.045, 0.085, 0.15) : vec3(0.22, 0.055, 0.040);
   vec3 boot = colours == 1 ? vec3(0.55, 0.05, 0.04) : vec3(0.018);
   if (painted == 0) {
@@ -77,25 +79,30 @@ vec4 paintAt() {
     c = mix(c, topsides * (0.92 + 0.14 * grain - 0.10 * smoothstep(0.45, 0.9, streak)),
             smoothstep(-w, w, z - band));
     if (colours == 1) {
-      float stripe = smoothstep(-w, w, z - 0.66 * freeboard) - smoothstep(-w, w, z - 0.74 * freeboard);
+      float stripe = smoothstep(-w, w, z - 0.66 * freeboard) -
+                     smoothstep(-w, w, z - 0.74 * freeboard);
       c = mix(c, vec3(0.03, 0.07, 0.16), stripe);
     }
     // Seams of plates.
     if (colours != 1) {
       vec2 seam = abs(fract(vec2(own.x / (2.4 * scale), z / (0.9 * scale))) - 0.5);
       vec2 e = fwidth(own.xz) / (vec2(2.4, 0.9) * scale);
-      float line = max(smoothstep(0.5 - 0.006 - e.x, 0.5, seam.x), smoothstep(0.5 - 0.012 - e.y, 0.5, seam.y));
-      c *= 1.0 - 0.10 * line * step(z, 0.97 * freeboard) * clamp(1.0 - 4.0 * max(e.x, e.y), 0.0, 1.0);
+      vec2 on = smoothstep(0.5 - vec2(0.006, 0.012) - e, vec2(0.5), seam);
+      float seen = clamp(1.0 - 4.0 * max(e.x, e.y), 0.0, 1.0);
+      c *= 1.0 - 0.10 * max(on.x, on.y) * seen * step(z, 0.97 * freeboard);
     }
     if (normalB.z > 0.8 && z > 0.3 * freeboard) {
-      c = colours == 1 ? vec3(0.42, 0.33, 0.22) : colours == 0 ? vec3(0.115, 0.125, 0.13) : vec3(0.16, 0.09, 0.07);
-      float plank = colours == 1 ? smoothstep(0.42, 0.5, abs(fract(own.y / 0.09) - 0.5)) * clamp(1.0 - fwidth(own.y) / 0.05, 0.0, 1.0) : 0.0;
+      c = colours == 0 ? vec3(0.115, 0.125, 0.13)
+        : colours == 1 ? vec3(0.42, 0.33, 0.22) : vec3(0.16, 0.09, 0.07);
+      float plank = smoothstep(0.42, 0.5, abs(fract(own.y / 0.09) - 0.5)) *
+                    clamp(1.0 - fwidth(own.y) / 0.05, 0.0, 1.0) * float(colours == 1);
       c *= (0.86 + 0.26 * grain) * (1.0 - 0.35 * plank);
       if (colours == 0) { // a landing circle
         vec2 p = own.xy - vec2(stern + 0.105 * shipLength, 0.0);
         float r = length(p), e = fwidth(r);
         float ring = 1.0 - smoothstep(0.15, 0.15 + e, abs(r - 0.27 * breadth));
-        float cross = (1.0 - smoothstep(0.12, 0.12 + e, min(abs(p.x), abs(p.y)))) * step(r, 0.1 * breadth);
+        float cross = 1.0 - smoothstep(0.12, 0.12 + e, min(abs(p.x), abs(p.y)));
+        cross *= step(r, 0.1 * breadth);
         c = mix(c, vec3(0.42), max(ring, cross) * 0.8);
       }
       gloss = 0.12;
@@ -105,17 +112,22 @@ vec4 paintAt() {
     c *= 0.95 + 0.1 * grain;
     float up = house.y > 0.0 ? (own.z - house.x) / house.y : 0.0;
     if (house.y > 0.12 * shipLength && abs(normalB.z) < 0.6 && up > 0.54 && up < 0.90) {
-      float along = abs(normalB.y) > abs(normalB.x) ? own.x / (0.085 * shipLength) : own.y / (0.075 * shipLength) + 0.5;
+      float along = abs(normalB.y) > abs(normalB.x) ? own.x / (0.085 * shipLength)
+                  : own.y / (0.075 * shipLength) + 0.5;
       if (abs(fract(along) - 0.5) < 0.45) { c = vec3(0.012, 0.016, 0.02); gloss = 1.0; }
     }
     // Doors and vents, the size of people.
-    if (colours == 0 && house.y > 0.0195 * shipLength && house.y < 0.05 * shipLength && abs(normalB.z) < 0.5) {
+    bool tall = house.y > 0.0195 * shipLength && house.y < 0.05 * shipLength;
+    if (colours == 0 && tall && abs(normalB.z) < 0.5) {
       float along = abs(normalB.y) > abs(normalB.x) ? own.x : own.y + 31.0;
-      float cellOf = floor(along / 4.6), at = abs(fract(along / 4.6) - 0.5) * 4.6, high = own.z - house.x;
+      float cellOf = floor(along / 4.6), at = abs(fract(along / 4.6) - 0.5) * 4.6;
+      float high = own.z - house.x;
       float pick = fract(sin(cellOf * 12.9898 + floor(house.x) * 7.7) * 43758.5);
       float e = fwidth(along) + fwidth(high);
-      float door = step(0.62, pick) * smoothstep(0.40 + e, 0.40, at) * step(0.5, high) * step(high, 2.35);
-      float vent = step(pick, 0.25) * smoothstep(0.55 + e, 0.55, at) * step(1.5, high) * step(high, 2.2);
+      float door = step(0.62, pick) * smoothstep(0.40 + e, 0.40, at);
+      door *= step(0.5, high) * step(high, 2.35);
+      float vent = step(pick, 0.25) * smoothstep(0.55 + e, 0.55, at);
+      vent *= step(1.5, high) * step(high, 2.2);
       c *= 1.0 - 0.45 * max(door, vent) * clamp(1.5 - e, 0.0, 1.0);
     }
     if (house.y > 0.0) c *= mix(0.72, 1.0, smoothstep(0.0, 0.45, (own.z - house.x) / house.y));
@@ -136,7 +148,8 @@ vec3 scaleColour(float t) {
   vec3 a = vec3(0.10, 0.16, 0.42), b = vec3(0.13, 0.48, 0.60), c = vec3(0.55, 0.75, 0.42);
   vec3 d = vec3(0.95, 0.80, 0.30), e = vec3(0.85, 0.30, 0.12);
   t = clamp(t, 0.0, 1.0) * 4.0;
-  return t < 1.0 ? mix(a, b, t) : t < 2.0 ? mix(b, c, t - 1.0) : t < 3.0 ? mix(c, d, t - 2.0) : mix(d, e, t - 3.0);
+  return t < 1.0 ? mix(a, b, t) : t < 2.0 ? mix(b, c, t - 1.0)
+       : t < 3.0 ? mix(c, d, t - 2.0) : mix(d, e, t - 3.0);
 }
 
 void main() {
@@ -159,15 +172,18 @@ void main() {
   vec3 skyLight = mix(vec3(0.075, 0.085, 0.095), vec3(0.30, 0.35, 0.46), up);
   float sunward = 0.5 + 0.5 * dot(normalize(n.xy + 1e-5), normalize(sun.xy));
   skyLight += vec3(0.34, 0.20, 0.12) * sunward * sunward * (1.0 - abs(n.z));
-  float ground = painted == 0 ? mix(0.62, 1.0, smoothstep(-0.1, 0.9, above / max(freeboard, 0.1))) : 1.0;
+  float ground = mix(0.62, 1.0, smoothstep(-0.1, 0.9, above / max(freeboard, 0.1)));
+  if (painted != 0) ground = 1.0;
   float direct = max(dot(n, sun), 0.0);
   vec3 colour = albedo * (1.15 * skyLight * ground + SUN_COLOUR * 2.0 * direct);
   vec3 h = normalize(sun + v);
   float shine = mix(30.0, 260.0, gloss);
-  colour += SUN_COLOUR * gloss * (shine + 8.0) / 60.0 * 0.22 * pow(max(dot(n, h), 0.0), shine) * step(0.0, dot(n, sun));
+  float mirror = pow(max(dot(n, h), 0.0), shine) * step(0.0, dot(n, sun));
+  colour += SUN_COLOUR * gloss * 0.22 * (shine + 8.0) / 60.0 * mirror;
   float fresnel = (0.04 + 0.9 * pow(1.0 - max(dot(n, v), 0.0), 5.0)) * gloss;
   vec3 r = reflect(-v, n);
-  vec3 mirrored = r.z > 0.0 ? clearSky(r) : mix(clearSky(vec3(r.xy, 0.0)), vec3(0.03, 0.06, 0.08), min(1.0, -3.0 * r.z));
+  vec3 mirrored = clearSky(vec3(r.xy, max(r.z, 0.0)));
+  mirrored = mix(mirrored, vec3(0.03, 0.06, 0.08), clamp(-3.0 * r.z, 0.0, 1.0));
   colour = mix(colour, mirrored, fresnel);
   // Under water, as far as see-through water shows it.
   colour = mix(colour, colour * vec3(0.45, 0.75, 0.8), below * smoothstep(0.0, -0.05, above));
@@ -175,7 +191,7 @@ void main() {
   vec3 seen = developed(colour);
 
   if (showPressure > 0.5 && kpa > 0.0 && painted == 0) {
-    float light = 0.72 + 0.28 * clamp(0.5 + 0.5 * dot(n, normalize(v + vec3(0.0, 0.0, 0.6))), 0.0, 1.0);
+    float light = 0.86 + 0.14 * dot(n, normalize(v + vec3(0.0, 0.0, 0.6)));
     float t = kpa / pressureTop;
     float steps = abs(fract(10.0 * t + 0.5) - 0.5) / max(fwidth(10.0 * t), 1e-4);
     vec3 c = scaleColour(t) * light;

@@ -21,7 +21,7 @@ export function aimSun(light, bearing) {
   light.sun.value.set(c * Math.cos(bearing), c * Math.sin(bearing), Math.sin(SUN_HEIGHT));
 }
 
-export const LIGHT_GLSL = /* glsl */ `
+export const LIGHT_GLSL = `
 uniform vec3 sun;
 uniform vec3 eye;
 uniform sampler2D noise;
@@ -38,7 +38,8 @@ vec3 clearSky(vec3 d) {
   vec3 low = mix(vec3(0.24, 0.29, 0.42), vec3(0.60, 0.42, 0.35), side);
   vec3 zenith = vec3(0.035, 0.075, 0.170);
   vec3 colour = mix(horizon, low, 1.0 - exp(-14.0 * h));
-  colour = mix(colour, mix(vec3(0.105, 0.180, 0.335), vec3(0.175, 0.215, 0.33), side), 1.0 - exp(-5.0 * h));
+  vec3 middle = mix(vec3(0.105, 0.180, 0.335), vec3(0.175, 0.215, 0.33), side);
+  colour = mix(colour, middle, 1.0 - exp(-5.0 * h));
   colour = mix(colour, zenith, 1.0 - exp(-2.2 * h));
   float c = max(dot(d, sun), 0.0);
   colour += SUN_COLOUR * (0.22 * pow(c, 9.0) + 0.50 * pow(c, 110.0));
@@ -62,7 +63,8 @@ vec3 skyColour(vec3 d, float blur) {
   float side = 0.5 + 0.5 * dot(normalize(d.xy + 1e-6), normalize(sun.xy));
   // Edges catch the low sun, bellies are in shade; the farther, the warmer.
   float far = exp(-4.0 * max(d.z, 0.0));
-  vec3 lit = mix(vec3(0.33, 0.33, 0.40), vec3(1.05, 0.55, 0.33), far * side * side) + SUN_COLOUR * 0.9 * pow(c, 14.0);
+  vec3 lit = mix(vec3(0.33, 0.33, 0.40), vec3(1.05, 0.55, 0.33), far * side * side);
+  lit += SUN_COLOUR * 0.9 * pow(c, 14.0);
   vec3 belly = mix(vec3(0.085, 0.100, 0.150), vec3(0.25, 0.185, 0.20), far * side);
   return mix(colour, mix(lit, belly, cloud.y), 0.85 * cloud.x);
 }
@@ -99,7 +101,7 @@ export function makeSky(light) {
       spread: { value: new THREE.Vector2() },
       depths: { value: 0 },
     },
-    vertexShader: /* glsl */ `
+    vertexShader: `
       uniform mat4 inverseView;
       uniform vec2 spread;
       out vec3 ray;
@@ -107,7 +109,7 @@ export function makeSky(light) {
         ray = mat3(inverseView) * vec3(position.xy * spread, -1.0);
         gl_Position = vec4(position.xy, 1.0, 1.0);
       }`,
-    fragmentShader: /* glsl */ `
+    fragmentShader: `
       ${LIGHT_GLSL}
       in vec3 ray;
       uniform float depths;

@@ -1,5 +1,5 @@
-// The hull's faces as they are drawn: smooth where they bend little and sharp at edges; its connected
-// parts; which paint each face has. Pure numbers; hull.js draws them.
+// The hull's faces as they are drawn: smooth where they bend little and sharp at edges; its
+// connected parts; which paint each face has. Pure numbers; hull.js draws them.
 
 /// Normals for triangles: of neighbours at a vertex, those that differ by less than `crease` [rad]
 /// are averaged, weighted by area. points 3 per point, faces 3 per triangle; one normal per corner.

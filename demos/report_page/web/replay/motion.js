@@ -94,7 +94,8 @@ export function makeTrack(columns) {
 }
 
 /// Motion of a ship without a run: at rest at x = y = 0, or with the linear answers to a sea,
-/// xi_j(t) = r sum Re(a H_j e^{i (omega t + eps)}); answers[j] = {re, im} over the sea's components.
+/// xi_j(t) = r sum Re(a H_j e^{i (omega t + eps)}); answers[j] = {re, im} over the sea's
+/// components.
 export function makeLinearTrack(cogZ, sea, answers, duration) {
   const motion = (j, t) => {
     if (!answers) return 0;

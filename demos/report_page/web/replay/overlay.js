@@ -1,12 +1,27 @@
-// What an engineer asks for, over the picture: force arrows by part, G, the track over ground, a tow
-// line, pressure on the wetted faces. Numbers are the run's; lengths and colours have their legend.
+// What an engineer asks for, over the picture: force arrows by part, G, the track over ground, a
+// tow line, pressure on the wetted faces. Numbers are the run's; lengths and colours have their
+// legend.
 import * as THREE from "three";
 import { rotate } from "./motion.js";
 import { elevation } from "./wave.js";
 
 /// Colours of force parts, told apart by colour-blind readers too (M. Okabe and K. Ito).
-export const PART_COLOURS = ["#e69f00", "#56b4e9", "#2ee6a8", "#f0e442", "#4c8dff", "#ff7a33",
-  "#e08bc0", "#ffffff", "#b0b0b0", "#a0e060", "#d0a070", "#80c0c0", "#c080ff", "#ff8080"];
+export const PART_COLOURS = [
+  "#e69f00",
+  "#56b4e9",
+  "#2ee6a8",
+  "#f0e442",
+  "#4c8dff",
+  "#ff7a33",
+  "#e08bc0",
+  "#ffffff",
+  "#b0b0b0",
+  "#a0e060",
+  "#d0a070",
+  "#80c0c0",
+  "#c080ff",
+  "#ff8080",
+];
 
 const onTop = { depthTest: false, depthWrite: false, transparent: true, toneMapped: false };
 
@@ -44,9 +59,10 @@ function makeTrackLine(count) {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(3 * count), 3));
   geometry.setAttribute("color", new THREE.BufferAttribute(new Float32Array(4 * count), 4));
-  const line = new THREE.Line(geometry, new THREE.LineBasicMaterial({
-    vertexColors: true, ...onTop, depthTest: true,
-  }));
+  const line = new THREE.Line(
+    geometry,
+    new THREE.LineBasicMaterial({ vertexColors: true, ...onTop, depthTest: true }),
+  );
   line.frustumCulled = false;
   line.renderOrder = 15;
   return line;
@@ -61,11 +77,15 @@ export function makeOverlay(bodies) {
     arrows.forEach((a) => group.add(a.group));
     const line = makeTrackLine(TRACK);
     group.add(line);
-    const mark = new THREE.Mesh(new THREE.SphereGeometry(1, 16, 12),
-      new THREE.MeshBasicMaterial({ color: "#ffffff", ...onTop }));
+    const mark = new THREE.Mesh(
+      new THREE.SphereGeometry(1, 16, 12),
+      new THREE.MeshBasicMaterial({ color: "#ffffff", ...onTop }),
+    );
     mark.renderOrder = 19;
-    const rope = new THREE.Mesh(new THREE.BufferGeometry(),
-      new THREE.MeshBasicMaterial({ color: "#c9b27a", toneMapped: false }));
+    const rope = new THREE.Mesh(
+      new THREE.BufferGeometry(),
+      new THREE.MeshBasicMaterial({ color: "#c9b27a", toneMapped: false }),
+    );
     rope.frustumCulled = false;
     group.add(mark, rope);
     return { parts, arrows, line, mark, rope, forces: null, loading: false };
@@ -73,18 +93,25 @@ export function makeOverlay(bodies) {
 
   const loadForces = async (entry, body, done) => {
     entry.loading = true;
-    const forces = await Promise.all(entry.parts.map((part) =>
-      Promise.all([1, 2, 3].map(async (j) => {
-        const column = body.run.columns.find(({ name }) => name === `${part}_F${j}`);
-        return column ? column.values ?? column.load() : null;
-      }))));
+    const forces = await Promise.all(
+      entry.parts.map((part) =>
+        Promise.all(
+          [1, 2, 3].map(async (j) => {
+            const column = body.run.columns.find(({ name }) => name === `${part}_F${j}`);
+            return column ? (column.values ?? column.load()) : null;
+          }),
+        ),
+      ),
+    );
     entry.forces = forces;
     done();
   };
 
   /// Force [N] of each part at row {i, f}, in axes that turn with the heading.
-  const forcesAt = (entry, { i, f }) => entry.forces.map((axes) =>
-    axes.map((v) => (v ? v[i] + (f === 0 ? 0 : f * (v[i + 1] - v[i])) : 0)));
+  const forcesAt = (entry, { i, f }) =>
+    entry.forces.map((axes) =>
+      axes.map((v) => (v ? v[i] + (f === 0 ? 0 : f * (v[i + 1] - v[i])) : 0)),
+    );
 
   return {
     group,
@@ -95,14 +122,19 @@ export function makeOverlay(bodies) {
         const body = bodies[n];
         const pose = poses[n];
         const place = new THREE.Vector3(
-          pose.position[0] - origin[0], pose.position[1] - origin[1], pose.position[2]);
+          pose.position[0] - origin[0],
+          pose.position[1] - origin[1],
+          pose.position[2],
+        );
         entry.mark.visible = show.centre;
         entry.mark.position.copy(place);
         entry.mark.scale.setScalar(0.006 * body.length);
         entry.line.visible = show.track && body.track.end > body.track.start;
         if (entry.line.visible) updateTrack(entry.line, body, t, sea, origin, TRACK);
         updateRope(entry.rope, body, pose, poses, bodies, origin, eye);
-        entry.arrows.forEach((a) => { a.group.visible = false; });
+        entry.arrows.forEach((a) => {
+          a.group.visible = false;
+        });
         if (!show.forces || entry.parts.length === 0) return null;
         if (!entry.forces) {
           if (!entry.loading) loadForces(entry, body, changed);
@@ -112,7 +144,8 @@ export function makeOverlay(bodies) {
         const yaw = (pose.yaw * Math.PI) / 180;
         const [c, s] = [Math.cos(yaw), Math.sin(yaw)];
         forces.forEach(([x, y, z], i) => {
-          const v = new THREE.Vector3(c * x - s * y, s * x + c * y, z).divideScalar(scaleOf(n))
+          const v = new THREE.Vector3(c * x - s * y, s * x + c * y, z)
+            .divideScalar(scaleOf(n))
             .clampLength(0, longest * body.length);
           entry.arrows[i].set(place, v, 0.0045 * body.length);
         });
@@ -160,8 +193,10 @@ function updateRope(rope, body, pose, poses, bodies, origin, eye) {
   const other = body.tow ? bodies.findIndex(({ name }) => name === body.tow.to) : -1;
   rope.visible = other >= 0;
   if (!rope.visible) return;
-  const end = (p, at) => new THREE.Vector3(...rotate(p.q, at).map((v, i) =>
-    v + p.position[i] - (i < 2 ? origin[i] : 0)));
+  const end = (p, at) =>
+    new THREE.Vector3(
+      ...rotate(p.q, at).map((v, i) => v + p.position[i] - (i < 2 ? origin[i] : 0)),
+    );
   const [a, b] = [end(pose, body.tow.from), end(poses[other], body.tow.at)];
   const middle = a.clone().lerp(b, 0.5);
   middle.z -= 0.03 * a.distanceTo(b);

@@ -8,8 +8,8 @@ export function niceAbove(x) {
   return [1, 2, 5, 10].find((m) => m * power >= x * (1 - 1e-9)) * power;
 }
 
-/// rho g (H - z) [kPa] at each point of a hull {points: in ship axes} at a pose {position, q}; below
-/// 0 where the point is dry. place.z is above calm water.
+/// rho g (H - z) [kPa] at each point of a hull {points: in ship axes} at a pose {position, q};
+/// below 0 where the point is dry. place.z is above calm water.
 export function pressures(points, pose, sea, t, density, out) {
   const factor = (density * sea.gravity) / 1000;
   for (let v = 0; v < points.length / 3; ++v) {

@@ -11,11 +11,16 @@ import { elevation } from "./wave.js";
 
 function makeRenderer(canvas, quality) {
   const renderer = new THREE.WebGLRenderer({
-    canvas, antialias: quality.antialias, alpha: false, powerPreference: "high-performance",
+    canvas,
+    antialias: quality.antialias,
+    alpha: false,
+    powerPreference: "high-performance",
   });
   if (!renderer.getContext().getExtension("EXT_color_buffer_float")) {
     renderer.dispose();
-    throw new Error("this browser's WebGL cannot draw into float textures (EXT_color_buffer_float).");
+    throw new Error(
+      "this browser's WebGL cannot draw into float textures (EXT_color_buffer_float).",
+    );
   }
   renderer.info.autoReset = true;
   renderer.sortObjects = true;
@@ -23,7 +28,8 @@ function makeRenderer(canvas, quality) {
 }
 
 const RUN = "Heights and slopes of the sea, positions and attitudes are the run's own numbers. ";
-const NOTE = "Decoration: light, sky, ripples shorter than the run's waves, paint and superstructure. " +
+const NOTE =
+  "Decoration: light, sky, ripples shorter than the run's waves, paint and superstructure. " +
   "Left out: the wake, the waves that the ship makes, spray and foam.";
 
 /// Names and makers of all scenes of a page.
@@ -31,7 +37,8 @@ function listScenes(page) {
   const groups = groupRuns(page.runs ?? []);
   if (groups.length > 0) {
     return groups.map((runs) => ({
-      title: runs.map(({ name }) => name).join(", "), make: () => sceneOfRuns(runs, page),
+      title: runs.map(({ name }) => name).join(", "),
+      make: () => sceneOfRuns(runs, page),
     }));
   }
   return scenesWithoutRuns(page).map((scene) => ({ title: scene.title, make: async () => scene }));
@@ -42,27 +49,52 @@ function listScenes(page) {
 export async function createReplay(element, page) {
   const scenes = listScenes(page);
   const view = {
-    t: 0, speed: 1, playing: false, scene: 0, body: 0, gain: null, dirty: true, visible: true,
-    show: { waterline: false, pressure: false, forces: false, centre: false, track: false, glass: false, decoration: true },
-    gone: false, cost: 0,
+    t: 0,
+    speed: 1,
+    playing: false,
+    scene: 0,
+    body: 0,
+    gain: null,
+    dirty: true,
+    visible: true,
+    show: {
+      waterline: false,
+      pressure: false,
+      forces: false,
+      centre: false,
+      track: false,
+      glass: false,
+      decoration: true,
+    },
+    gone: false,
+    cost: 0,
   };
-  const controls = makeControls(element, scenes.map(({ title }) => title), {
-    toggle: () => (view.playing ? pause() : play()),
-    seek: (t) => setTime(t),
-    speed: (s) => setSpeed(s),
-    camera: (kind) => setCamera(kind),
-    overlay: (key, on) => setOverlay(key, on),
-    scene: (i) => openScene(i),
-    body: (i) => setBody(i),
-    gain: (g) => { stage.setGain(g); view.dirty = true; },
-    key: (event) => onKey(event),
-  });
+  const controls = makeControls(
+    element,
+    scenes.map(({ title }) => title),
+    {
+      toggle: () => (view.playing ? pause() : play()),
+      seek: (t) => setTime(t),
+      speed: (s) => setSpeed(s),
+      camera: (kind) => setCamera(kind),
+      overlay: (key, on) => setOverlay(key, on),
+      scene: (i) => openScene(i),
+      body: (i) => setBody(i),
+      gain: (g) => {
+        stage.setGain(g);
+        view.dirty = true;
+      },
+      key: (event) => onKey(event),
+    },
+  );
   const renderer = await startRenderer(controls.canvas, element);
   let quality = renderer.quality;
   const light = makeLight();
   const sky = makeSky(light);
   const camera = new THREE.PerspectiveCamera(40, 16 / 9, 0.5, 90000);
-  const cameras = makeCameras(camera, controls.canvas, () => { view.dirty = true; });
+  const cameras = makeCameras(camera, controls.canvas, () => {
+    view.dirty = true;
+  });
   let stage = null;
   let current = null;
 
@@ -71,11 +103,19 @@ export async function createReplay(element, page) {
     if (view.gone) return;
     view.scene = index;
     buildStage();
-    aimSun(light, (current.bodies[0].track.at(current.start).yaw * Math.PI) / 180 + stage.sunBearing);
+    aimSun(
+      light,
+      (current.bodies[0].track.at(current.start).yaw * Math.PI) / 180 + stage.sunBearing,
+    );
     setBody(0);
-    setTime(Math.min(current.end, Math.max(current.start, current.start + 2 * (current.sea.ramp ?? 0))));
+    setTime(
+      Math.min(current.end, Math.max(current.start, current.start + 2 * (current.sea.ramp ?? 0))),
+    );
     controls.setScene({
-      index, start: current.start, end: current.end, seaText: current.seaText,
+      index,
+      start: current.start,
+      end: current.end,
+      seaText: current.seaText,
       bodies: current.bodies.map(({ name }) => name),
       note: [...current.faults.map((f) => `Not shown: ${f}.`), current.note || RUN, NOTE].join(" "),
     });
@@ -84,8 +124,15 @@ export async function createReplay(element, page) {
   function buildStage() {
     stage?.dispose();
     stage = makeStage({
-      renderer: renderer.three, scene: current, light, sky, camera, quality,
-      changed: () => { view.dirty = true; },
+      renderer: renderer.three,
+      scene: current,
+      light,
+      sky,
+      camera,
+      quality,
+      changed: () => {
+        view.dirty = true;
+      },
     });
     for (const [key] of OVERLAYS) setOverlay(key, view.show[key]);
     resize();
@@ -134,20 +181,30 @@ export async function createReplay(element, page) {
 
   function onKey(event) {
     const step = (event.shiftKey ? 10 : 1) * (view.playing ? 5 : 1);
-    const speedBy = (n) => setSpeed(SPEEDS[Math.min(SPEEDS.length - 1, Math.max(0, SPEEDS.indexOf(view.speed) + n))]);
+    const speedBy = (n) =>
+      setSpeed(SPEEDS[Math.min(SPEEDS.length - 1, Math.max(0, SPEEDS.indexOf(view.speed) + n))]);
     const camera = CAMERAS[Number(event.key) - 1];
     const overlay = OVERLAYS.find(([, , letter]) => letter === event.key.toLowerCase());
     const keys = {
       " ": () => (view.playing ? pause() : play()),
-      ArrowLeft: () => setTime(view.t - step), ArrowRight: () => setTime(view.t + step),
-      Home: () => setTime(current.start), End: () => setTime(current.end),
-      ArrowUp: () => cameras.turnBy(0, 15), ArrowDown: () => cameras.turnBy(0, -15),
-      "[": () => cameras.turnBy(20, 0), "]": () => cameras.turnBy(-20, 0),
-      PageUp: () => cameras.scaleBy(0.87), PageDown: () => cameras.scaleBy(1.15),
+      ArrowLeft: () => setTime(view.t - step),
+      ArrowRight: () => setTime(view.t + step),
+      Home: () => setTime(current.start),
+      End: () => setTime(current.end),
+      ArrowUp: () => cameras.turnBy(0, 15),
+      ArrowDown: () => cameras.turnBy(0, -15),
+      "[": () => cameras.turnBy(20, 0),
+      "]": () => cameras.turnBy(-20, 0),
+      PageUp: () => cameras.scaleBy(0.87),
+      PageDown: () => cameras.scaleBy(1.15),
       h: () => controls.box.classList.toggle("cw-bare"),
-      "+": () => speedBy(1), "=": () => speedBy(1), "-": () => speedBy(-1),
+      "+": () => speedBy(1),
+      "=": () => speedBy(1),
+      "-": () => speedBy(-1),
     };
-    const act = keys[event.key] ?? (camera && (() => setCamera(camera))) ??
+    const act =
+      keys[event.key] ??
+      (camera && (() => setCamera(camera))) ??
       (overlay && (() => setOverlay(overlay[0], !view.show[overlay[0]])));
     act?.();
     return Boolean(act);
@@ -166,11 +223,16 @@ export async function createReplay(element, page) {
 
   function draw() {
     const began = performance.now();
-    const state = stage.draw(view.t, cameras, [controls.box.clientWidth, controls.box.clientHeight]);
+    const state = stage.draw(view.t, cameras, [
+      controls.box.clientWidth,
+      controls.box.clientHeight,
+    ]);
     const g = state.pose.position;
     controls.setTime(view.t, current.end, {
-      t: view.t.toFixed(1), heave: (g[2] - current.bodies[view.body].cogZ).toFixed(2),
-      roll: state.pose.roll.toFixed(1), pitch: state.pose.pitch.toFixed(1),
+      t: view.t.toFixed(1),
+      heave: (g[2] - current.bodies[view.body].cogZ).toFixed(2),
+      roll: state.pose.roll.toFixed(1),
+      pitch: state.pose.pitch.toFixed(1),
       speed: Number.isFinite(state.speed) ? state.speed.toFixed(1) : "–",
       zeta: elevation(current.sea, view.t, g[0], g[1]).toFixed(2),
     });
@@ -245,11 +307,16 @@ export async function createReplay(element, page) {
     pause,
     time: () => view.t,
     debug: {
-      /// Height [m] at earth x, y that the texture holds for a vertex laid there, at the time drawn.
+      /// Height [m] at earth x, y that the texture holds for a vertex laid there, at the time
+      /// drawn.
       surfaceAt: (x, y) => stage.surfaceAt(x, y),
       /// The greatest difference [m] from the formula of n vertices of the fine square, as drawn.
       worstVertex: (n = 500) => stage.worstVertex(view.t, n),
-      scene: openScene, camera: setCamera, cameras: cameras.state, overlay: setOverlay, body: setBody,
+      scene: openScene,
+      camera: setCamera,
+      cameras: cameras.state,
+      overlay: setOverlay,
+      body: setBody,
       scenes: scenes.map(({ title }) => title),
       state: () => ({ ...view, quality: quality.name, vertices: stage.vertices }),
     },

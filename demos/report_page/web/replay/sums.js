@@ -1,5 +1,6 @@
 // The sea summed on the graphics card: heights and slopes at every vertex of the grid, once a frame
-// into a float texture; and slopes for the pixels farther out, each wave faded by what a pixel sees.
+// into a float texture; and slopes for the pixels farther out, each wave faded by what a pixel
+// sees.
 //
 // Phases at the origin, which moves with the ship, come from the processor in double precision and
 // within half a turn. The shader adds k.(x, y) of local metres, in turns; a fraction of a turn is
@@ -7,7 +8,7 @@
 import * as THREE from "three";
 import { rampAt, turnsAt } from "./wave.js";
 
-const COSINE_GLSL = /* glsl */ `
+const COSINE_GLSL = `
 /// (cos, sin) of 2 pi f, for f in -1/2 .. 1/2, to 3e-7: from the half angle's series.
 vec2 cosineSine(float f) {
   float a = 3.14159265358979 * f;
@@ -20,7 +21,7 @@ vec2 cosineSine(float f) {
 }
 `;
 
-const HEAD_GLSL = /* glsl */ `
+const HEAD_GLSL = `
 precision highp float;
 precision highp int;
 precision highp sampler2D;
@@ -30,12 +31,12 @@ out vec4 result;
 ${COSINE_GLSL}
 `;
 
-const VERTEX_GLSL = /* glsl */ `
+const VERTEX_GLSL = `
 in vec3 position;
 void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }`;
 
 /// Height, slopes, and the variance of slope that has been faded out.
-const GRID_GLSL = /* glsl */ `
+const GRID_GLSL = `
 ${HEAD_GLSL}
 uniform sampler2D places;
 void main() {
@@ -58,11 +59,11 @@ void main() {
 }`;
 
 /// Slopes over bearing and depression below the horizon, as seen from `eye`; variance as above.
-const VIEW_GLSL = /* glsl */ `
+const VIEW_GLSL = `
 ${HEAD_GLSL}
 uniform vec2 size;
 uniform vec3 eye;      // z: height above calm water
-uniform vec4 window;   // bearing of the left edge, width; depression of the lower edge, height [rad]
+uniform vec4 window;   // bearing of the left edge, width; deepest depression seen [rad]
 void main() {
   vec2 uv = gl_FragCoord.xy / size;
   float bearing = window.x - uv.x * window.y;

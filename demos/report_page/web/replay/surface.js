@@ -10,7 +10,7 @@ const TURNS = [0.0, 0.45, -0.35, 0.3, -0.5, 0.2];
 const SHARES = [0.20, 0.27, 0.33, 0.36, 0.36, 0.30];
 export const MAX_BODIES = 4;
 
-const VERTEX = /* glsl */ `
+const VERTEX = `
 uniform highp sampler2D water;
 uniform int row;
 out vec3 place;
@@ -22,7 +22,7 @@ void main() {
   gl_Position = projectionMatrix * modelViewMatrix * vec4(place, 1.0);
 }`;
 
-const FRAGMENT = /* glsl */ `
+const FRAGMENT = `
 precision highp float;
 ${LIGHT_GLSL}
 uniform sampler2D ripples;
@@ -38,7 +38,7 @@ uniform float opacity;
 uniform vec2 origin;                // of local axes, within a tile of gusts [m]
 uniform int bodies;
 uniform vec4 bodyPlaces[${MAX_BODIES}];    // x, y, cos, sin of the bow's bearing
-uniform vec4 bodySizes[${MAX_BODIES}];     // half length, half breadth, height of the deck, brightness
+uniform vec4 bodySizes[${MAX_BODIES}];     // half length, half breadth, height, brightness
 in vec3 place;
 in vec3 drawn;
 out vec4 pixel;
@@ -58,7 +58,8 @@ vec3 waveSlopes() {
 vec3 rippleSlopes() {
   vec3 sum = vec3(0.0);
   vec2 gust = (place.xy + origin) / 640.0;
-  float wind = 0.55 + 0.9 * textureLod(noise, gust, 1.0).r * (0.6 + 0.8 * textureLod(noise, 3.7 * gust.yx, 1.0).g);
+  float wide = textureLod(noise, gust, 1.0).r, narrow = textureLod(noise, 3.7 * gust.yx, 1.0).g;
+  float wind = 0.45 + 1.0 * wide * (0.5 + narrow);
   for (int i = 0; i < ${TILES.length}; ++i) {
     if (i >= layerCount) break;
     vec4 l = layers[i];
@@ -113,7 +114,8 @@ void main() {
   float nv = max(dot(n, v), 0.03);
 
   float sigma = sqrt(0.5 * variance);
-  float fresnel = 0.02 + 0.98 * pow(1.0 - nv, 5.0 * exp(-2.69 * sigma)) / (1.0 + 22.7 * pow(sigma, 1.5));
+  float fresnel = 0.02 + 0.98 * pow(1.0 - nv, 5.0 * exp(-2.69 * sigma)) /
+                  (1.0 + 22.7 * pow(sigma, 1.5));
 
   // The reflected sky: rough water sees higher parts of it, and blurred.
   vec3 r = reflect(-v, n);
@@ -141,7 +143,8 @@ void main() {
   float lean = clamp(0.5 + 2.2 * dot(slope, -v.xy), 0.0, 1.5);
   vec3 deep = vec3(0.010, 0.034, 0.047);
   vec3 through = vec3(0.014, 0.078, 0.078);
-  float glow = crest * crest * (0.10 + 0.9 * against * against * lean) * smoothstep(0.0, 1.5, waveHeight);
+  float glow = crest * crest * (0.10 + 0.9 * against * against * lean);
+  glow *= smoothstep(0.0, 1.5, waveHeight);
   vec3 body = deep * (0.75 + 0.5 * n.z) + through * glow;
   body *= 0.75 + 0.25 * clamp(0.5 + place.z / max(waveHeight, 1.0), 0.0, 1.0);
 
@@ -194,7 +197,8 @@ export function makeSurface(grid, sums, light, { layerCount, anisotropy }) {
       material.depthWrite = share >= 1;
       material.needsUpdate = true;
     },
-    setRipples: (wind, shortest, t, x, y) => setRipples(uniforms, layerCount, wind, shortest, t, x, y),
+    setRipples: (wind, shortest, t, x, y) =>
+      setRipples(uniforms, layerCount, wind, shortest, t, x, y),
     dispose() {
       geometry.dispose();
       material.dispose();

@@ -59,10 +59,10 @@ export function noiseTexture(n = 256) {
   return texture(data, n);
 }
 
-/// Slopes of a tile of ripples that run along +x with some spread: r and g are slope/(8 s) + 1/2 with
-/// the standard deviation s of both together, b the square of the slope over 16 s^2. Coarser levels
-/// of the texture hold means; b less the squares of r and g is then what has been averaged away,
-/// which the surface adds to its roughness.
+/// Slopes of a tile of ripples that run along +x with some spread: r and g are slope/(8 s) + 1/2
+/// with the standard deviation s of both together, b the square of the slope over 16 s^2. Coarser
+/// levels of the texture hold means; b less the squares of r and g is then what has been averaged
+/// away, which the surface adds to its roughness.
 export function rippleTexture(n = 256, waves = 70, seed = 5) {
   const random = generator(seed);
   const sx = new Float32Array(n * n);
