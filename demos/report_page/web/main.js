@@ -8,6 +8,7 @@ import { runs } from "./plots/runs.js";
 import { seaway } from "./plots/seaway.js";
 import { ship } from "./plots/ship.js";
 import { startTheme } from "./plots/theme.js";
+import { canDraw3d } from "./plots/webgl.js";
 import { createReplay } from "./replay/replay.js";
 
 const SECTIONS = [
@@ -20,14 +21,6 @@ const SECTIONS = [
 ];
 
 const breathe = () => new Promise((done) => setTimeout(done));
-
-function canDraw3d() {
-  try {
-    return Boolean(document.createElement("canvas").getContext("webgl2"));
-  } catch {
-    return false;
-  }
-}
 
 async function startReplay(page) {
   const view = document.getElementById("replay-view");
@@ -67,7 +60,7 @@ function followScroll(links) {
     for (const entry of entries) seen.set(entry.target.id, entry.isIntersecting);
     const first = links.find(({ hash }) => seen.get(hash.slice(1)));
     for (const link of links) link.setAttribute("aria-current", String(link === first));
-  }, { rootMargin: "-60px 0px -55% 0px" });
+  }, { rootMargin: "-25% 0px -65% 0px" });
   for (const { hash } of links) observer.observe(document.getElementById(hash.slice(1)));
 }
 

@@ -56,8 +56,8 @@ function addedMass(pair, place, data, id) {
       dash: [6, 4], colour: 1, width: 1.2 });
   }
   return new Figure(place, { id: `A${id}`, title: `A${subscript(pair)} ${nameIf(pair)}`, marks,
-    x: { label: "ω", unit: "rad/s", range: fromZero }, y: { label: "", unit: pairUnit(pair, "kg"), include },
-    lines });
+    x: { label: "ω", unit: "rad/s", range: fromZero },
+    y: { label: "", unit: pairUnit(pair, "kg"), include }, lines });
 }
 
 const nameIf = (pair) => (isDiagonal(pair) ? MODES[pair[0] - 1] : nameOf(pair));

@@ -10,8 +10,11 @@ const FONT = "12px system-ui, sans-serif";
 const figures = new Set();
 
 addEventListener("themechange", () => figures.forEach((figure) => figure.redraw()));
-addEventListener("beforeprint", () => figures.forEach((figure) => figure.fit(330)));
-addEventListener("afterprint", () => figures.forEach((figure) => figure.fit()));
+
+// On paper, of which no size is known beforehand: two columns on A4, or the whole width.
+addEventListener("beforeprint", () => figures.forEach((figure) =>
+  figure.fit(figure.spec.wide ? 670 : 330)));
+addEventListener("afterprint", () => figures.forEach((figure) => figure.fit(null)));
 
 /** Abscissae of several lines as one: [x, y of line 1, ...]; undefined where one has no point. */
 function joined(lines) {
@@ -40,10 +43,12 @@ const powerPoints = (exponent) => (plot, ticks) =>
 
 export class Figure {
   /**
-   * @param spec {id, title, note, x: {label, unit}, y: {label, unit, range}, height, marks, sync,
-   *   lines: [{label, x, y, colour, dash, points, width, group}], zoom, onzoom}
+   * @param spec {id, title, note, x: {label, symbol, unit, range, show, ticksWithUnit},
+   *   y: {label, unit, range, exponent, incrs, tight, least, include}, height, empty, wide,
+   *   legend, marks, lines: [{label, group, x, y, colour, dash, points, width}]}
    *   marks: [{x, label, kind: "limit" | "masked"}] upright lines, {y, label} level ones;
-   *   lines of one `group` share a label in the legend.
+   *   lines of one `group` share a label in the legend. Of plots with a zoom in common besides
+   *   sync: the key of their cursor, onzoom(from, to), zoom(by), all(), onfit().
    */
   constructor(parent, spec) {
     this.spec = spec;
@@ -282,7 +287,7 @@ export class Figure {
   }
 
   /** To the width of its place; on paper to a given one. */
-  fit(printWidth = null) {
+  fit(printWidth = this.printWidth) {
     this.printWidth = printWidth;
     const width = this.width();
     if (this.plot && width !== this.plot.width) {

@@ -19,7 +19,7 @@ function summary(list) {
   const failed = count("fail"), unknown = count("unknown");
   const parts = [`${count("pass")} of ${list.length} pass`];
   if (failed) parts.push(`${failed} ${failed === 1 ? "fails" : "fail"}`);
-  if (unknown) parts.push(`${unknown} not judged, for want of data`);
+  if (unknown) parts.push(`${unknown} not judged`);
   return `${parts.join(", ")}.`;
 }
 

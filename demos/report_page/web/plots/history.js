@@ -66,7 +66,7 @@ export class History {
   constructor(parent, spec, window, t, values) {
     Object.assign(this, { window, t, values, pyramid: new Pyramid(values) });
     this.figure = new Figure(parent, {
-      id: spec.id, title: spec.title, height: spec.height ?? 130, sync: window.key,
+      id: spec.id, title: spec.title, height: spec.height ?? 130, wide: true, sync: window.key,
       x: { symbol: "t", unit: "s", ticksWithUnit: true, range: () => [window.from, window.to],
         show: (time) => String(Number(time.toFixed(3))) },
       y: { label: "", unit: spec.unit, tight: true, exponent: spec.exponent },

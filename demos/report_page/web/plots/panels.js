@@ -210,7 +210,8 @@ export function panelView(section, panels) {
     h("button.quiet", { type: "button", onclick: zoom(0.8), "aria-label": "Nearer" }, "+"),
     h("button.quiet", { type: "button", onclick: zoom(1.25), "aria-label": "Farther" }, "−")),
   place, bar, h("p.note", {}, `${view.hullEnd} panels on the hull as solved`,
-    panels.lid ? `, ${panels.lid} on the lid` : ", no lid", ". Drag to turn."));
+    panels.lid ? `, ${panels.lid} on the lid` : ", no lid", "."),
+  h("p.note.hint", {}, "Drag to turn."));
   if (!fields.length) section.append(missing("The data has no field to show as colour."));
   view.fit();
   update();

@@ -107,7 +107,13 @@ function comparison(place, run, page, id, window) {
     rows.forEach(({ result }, i) => figures[i].setLines(spectrumLines(result, end)));
     numbers.replaceChildren(significantTable(rows, prediction));
   };
-  window.listeners.add(() => shownOnly && update());
+  // When the zoom rests: a spectrum of a long run takes a second.
+  let rest = null;
+  window.listeners.add(() => {
+    if (!shownOnly) return;
+    clearTimeout(rest);
+    rest = setTimeout(update, 200);
+  });
   place.append(h("div.controls.plain", {}, tick("of the range shown above only", false, (on) => {
     shownOnly = on;
     update();

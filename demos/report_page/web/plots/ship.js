@@ -4,6 +4,7 @@ import { h, missing, prose, table } from "./dom.js";
 import { Figure } from "./figure.js";
 import { show, subscript, unitText } from "./format.js";
 import { panelView } from "./panels.js";
+import { canDraw3d } from "./webgl.js";
 
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
@@ -67,7 +68,7 @@ function righting(place, data) {
       points: true, colour: 3 });
   }
   new Figure(place, { id: "righting", title: "GZ over heel", x: { label: "heel", unit: "°" },
-    y: { label: "", unit: "m", exponent: 0 }, height: 260, lines,
+    y: { label: "", unit: "m", exponent: 0 }, height: 260, lines, wide: true,
     note: vanishingDeg === null ? "GZ does not vanish in the range computed." : null });
 }
 
@@ -77,12 +78,16 @@ function panels(place, data) {
     place.append(missing("The data has no panels."));
     return;
   }
+  if (!canDraw3d()) {
+    place.append(missing("The panels are not drawn: this browser has no WebGL 2, or it is switched "
+      + "off."));
+    return;
+  }
   try {
     panelView(place, data);
   } catch (error) {
     console.warn(error);
-    place.append(missing("The panels are not drawn: this browser has no WebGL 2, or it is "
-      + `switched off (${error.message}).`));
+    place.append(missing(`The panels are not drawn: "${error.message}".`));
   }
 }
 
