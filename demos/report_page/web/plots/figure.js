@@ -104,7 +104,7 @@ export class Figure {
     const [x, ...values] = joined(lines);
     window.cutwater.plots[this.spec.id] = {
       title: this.spec.title, x,
-      series: lines.map(({ label }, i) => ({ label, values: values[i] })),
+      series: lines.map(({ label, about }, i) => ({ label, about, values: values[i] })),
     };
   }
 

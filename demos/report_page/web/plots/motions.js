@@ -82,7 +82,8 @@ function linesOf(page, state, mode) {
     state.speeds.filter((speed) => state.chosenSpeeds.has(speed)).forEach((speed, dash) => {
       const name = state.chosenSpeeds.size > 1 ? `${degrees(heading)}, ${metresPerSecond(speed)}`
         : degrees(heading);
-      const style = { label: name, group: name, colour, dash: DASHES[dash % DASHES.length] };
+      const style = { label: name, group: name, colour, dash: DASHES[dash % DASHES.length],
+        about: { headingDeg: heading, speed, free: state.free } };
       const rao = page.raos.find((set) => set.speed === speed && set.free === state.free);
       const curves = rao && curvesOf(page, rao, heading, state, mode);
       for (const kind of curves ? ["amplitude", "phase"] : []) {
