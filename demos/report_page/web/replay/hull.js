@@ -163,7 +163,7 @@ void main() {
   float above = place.z - sea;
   // Wet from the last waves, a ragged edge above the water.
   float ragged = texture(noise, own.xy * 0.07 + own.z * 0.02).g;
-  float wetTop = 0.10 * freeboard + 0.35 * freeboard * ragged;
+  float wetTop = 0.08 * freeboard + 0.26 * freeboard * ragged;
   float wet = painted == 0 ? 1.0 - smoothstep(0.3 * wetTop, wetTop, above) : 0.0;
   albedo *= 1.0 - (colours == 1 ? 0.14 : 0.36) * wet;
   gloss = mix(gloss, 0.8, wet);

@@ -73,7 +73,7 @@ vec3 skyColour(vec3 d, float blur) {
 vec3 haze(vec3 colour, vec3 place) {
   vec3 ray = place - eye;
   float distance = length(ray);
-  float f = 1.0 - exp(-pow(distance / 7500.0, 1.25));
+  float f = 1.0 - exp(-pow(distance / 10000.0, 1.2));
   vec3 level = normalize(vec3(ray.xy, 0.012 * distance));
   return mix(colour, clearSky(level), f);
 }

@@ -2,7 +2,7 @@
 
 export const QUALITIES = {
   high: {
-    name: "high", antialias: true, pixelRatio: 2, ring: 48, view: { width: 640, height: 384 },
+    name: "high", antialias: true, pixelRatio: 2, ring: 36, view: { width: 560, height: 320 },
     layers: 5, anisotropy: 8,
   },
   low: {

@@ -48,6 +48,7 @@ function listScenes(page) {
 /// textures is missing. `seek` has drawn when it returns.
 export async function createReplay(element, page) {
   const scenes = listScenes(page);
+  let request = 0; // of the next frame; 0 while nothing changes
   const view = {
     t: 0,
     speed: 1,
@@ -82,7 +83,7 @@ export async function createReplay(element, page) {
       body: (i) => setBody(i),
       gain: (g) => {
         stage.setGain(g);
-        view.dirty = true;
+        touch();
       },
       key: (event) => onKey(event),
     },
@@ -93,7 +94,7 @@ export async function createReplay(element, page) {
   const sky = makeSky(light);
   const camera = new THREE.PerspectiveCamera(40, 16 / 9, 0.5, 90000);
   const cameras = makeCameras(camera, controls.canvas, () => {
-    view.dirty = true;
+    touch();
   });
   let stage = null;
   let current = null;
@@ -131,7 +132,7 @@ export async function createReplay(element, page) {
       camera,
       quality,
       changed: () => {
-        view.dirty = true;
+        touch();
       },
     });
     for (const [key] of OVERLAYS) setOverlay(key, view.show[key]);
@@ -140,7 +141,7 @@ export async function createReplay(element, page) {
 
   function setTime(t) {
     view.t = Math.min(current.end, Math.max(current.start, t));
-    view.dirty = true;
+    touch();
   }
   function setSpeed(s) {
     view.speed = s;
@@ -149,14 +150,14 @@ export async function createReplay(element, page) {
   function setCamera(kind) {
     cameras.state.kind = kind;
     controls.setCamera(kind);
-    view.dirty = true;
+    touch();
   }
   function setBody(i) {
     view.body = i;
     stage.setBody(i);
     cameras.state.length = stage.lengthOf(i);
     controls.setBody(i);
-    view.dirty = true;
+    touch();
   }
   function setOverlay(key, on) {
     const possible = stage.can(key);
@@ -165,7 +166,7 @@ export async function createReplay(element, page) {
     // Pressure on a hull is seen through the water.
     stage.setShow({ ...view.show, glass: view.show.glass || view.show.pressure });
     controls.setGain(stage.gain, view.show.forces && stage.can("forces"));
-    view.dirty = true;
+    touch();
   }
   function play() {
     if (view.t >= current.end) setTime(current.start);
@@ -218,7 +219,7 @@ export async function createReplay(element, page) {
     renderer.three.setSize(w, h, false);
     camera.aspect = w / h;
     camera.updateProjectionMatrix();
-    view.dirty = true;
+    touch();
   }
 
   function draw() {
@@ -243,7 +244,6 @@ export async function createReplay(element, page) {
   }
 
   let last = performance.now();
-  let request = 0;
   let slow = 0;
   function frame(now) {
     request = 0;
@@ -256,6 +256,11 @@ export async function createReplay(element, page) {
       judge(dt);
     }
     if (view.dirty && view.visible) draw();
+    if (view.playing) wake();
+  }
+  /// What is seen is no longer true.
+  function touch() {
+    view.dirty = true;
     wake();
   }
   function wake() {
@@ -276,6 +281,7 @@ export async function createReplay(element, page) {
   const sight = new IntersectionObserver(([entry]) => {
     view.visible = entry.isIntersecting;
     last = performance.now();
+    if (view.dirty) wake();
   });
   sight.observe(controls.box);
   await openScene(0);

@@ -88,7 +88,13 @@ function bodyGroup(shape, light, sums, grid) {
 
 export function makeStage({ renderer, scene, light, sky, camera, quality, changed }) {
   const { bodies, sea } = scene;
-  const shapes = bodies.map(shapeOf);
+  const known = new Map(); // shapes of hulls that several bodies share
+  const shapes = bodies.map((body) => {
+    const key = known.get(body.hull);
+    if (key?.calm === -body.cogZ) return key;
+    known.set(body.hull, shapeOf(body));
+    return known.get(body.hull);
+  });
   bodies.forEach((body, i) => {
     body.length = shapes[i].length;
   });

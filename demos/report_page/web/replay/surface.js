@@ -144,7 +144,7 @@ void main() {
   vec3 deep = vec3(0.010, 0.034, 0.047);
   vec3 through = vec3(0.014, 0.078, 0.078);
   float glow = crest * crest * (0.10 + 0.9 * against * against * lean);
-  glow *= smoothstep(0.0, 1.5, waveHeight);
+  glow *= smoothstep(0.0, 1.5, waveHeight) * (1.0 - 0.8 * v.z);
   vec3 body = deep * (0.75 + 0.5 * n.z) + through * glow;
   body *= 0.75 + 0.25 * clamp(0.5 + place.z / max(waveHeight, 1.0), 0.0, 1.0);
 
