@@ -69,6 +69,13 @@ test("bodies and calm water have no prediction; seas of many directions use all 
   assert.match(predictionOf(spread, { raos: [], ship: {} }).words, /main direction/);
 });
 
+test("a record with a nan has no spectrum", () => {
+  const values = Float64Array.from({ length: 500 }, (_, i) => (i === 300 ? NaN : i % 7));
+  const options = { prediction: null, period: 3 };
+  assert.equal(compare(responseOf("z"), values, [0, 500], 0.1, options), null);
+  assert.ok(compare(responseOf("z"), values, [0, 300], 0.1, options).significant > 0);
+});
+
 test("times must have equal steps", () => {
   near(stepOf([0, 0.5, 1, 1.5]), 0.5, 1e-12);
   assert.equal(stepOf([0, 0.5, 1.5, 2.5]), 0);

@@ -53,6 +53,14 @@ test("a ship that follows the surface has the sea's own height on every heading"
   }
 });
 
+test("surge, sway and yaw are left out where waves are hardly met", () => {
+  const all = new Float64Array(12).fill(1), slow = { ...waveFor(1, 0), omegaE: 0.05 };
+  const real = (key) => transfer(quantityOf(key), [0, 0, 0], all, slow)[0];
+  assert.equal(real("lengthwise"), 0);
+  assert.equal(real("transverse"), 0);
+  assert.equal(real("vertical"), 1);
+});
+
 test("velocity and acceleration are ω_e and ω_e² times the motion", () => {
   const motion = [0, 0, 0, 0, 0.8, 0.3, 0, 0, 0, 0, 0, 0], wave = waveFor(0.9, 180, 6);
   const size = (key) => Math.hypot(...transfer(quantityOf(key), [0, 0, 0], motion, wave));

@@ -74,19 +74,20 @@ const tau = 2 * Math.PI;
 
 /**
  * Measured and predicted of one response over [begin, end): spectra, significant amplitudes, mean
- * periods. `period` [s] says how long a segment must be.
+ * periods. `period` [s] says how long a segment must be. Of a record with a nan there is null.
  */
 export function compare(response, values, [begin, end], dt, { prediction, period }) {
+  if (values.subarray(begin, end).some(Number.isNaN)) return null;
   const record = withoutTrend(values, begin, end);
   const block = Math.max(1, Math.floor(period / 60 / dt));
   const short = blockMeans(record, block), step = dt * block;
   const spectrum = welch(short, step, segmentLength(short.length, step, period));
   const lines = prediction && (response.mode === null ? prediction.wave
     : prediction.modes[response.mode]);
-  const scaled = lines?.map(({ omega, variance }) =>
-    ({ omega, variance: variance * response.scale ** 2 }));
-  const m0 = scaled ? momentOfLines(scaled, 0) : NaN;
   const least = response.drifts && spectrum ? slowLimit(prediction) : 0;
+  const scaled = lines?.filter(({ omega }) => Math.abs(omega) >= least)
+    .map(({ omega, variance }) => ({ omega, variance: variance * response.scale ** 2 }));
+  const m0 = scaled ? momentOfLines(scaled, 0) : NaN;
   const measured = least ? [momentOf(spectrum, 0, least), momentOf(spectrum, 2, least)] : null;
   return {
     spectrum, least,

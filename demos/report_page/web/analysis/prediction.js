@@ -1,6 +1,6 @@
 // Linear prediction of a run: each component of its sea through the RAO of the direction in which
 // it meets the ship. Pure.
-import { encounter } from "./sea.js";
+import { encounter, isHeld } from "./sea.js";
 
 /** Linear in ω: 12 numbers of the modes; null outside of the frequencies. */
 function motionAt(omega, values, heading, at) {
@@ -48,7 +48,9 @@ export function predict(sea, table, speed, gravity) {
     const squares = squaredMotion(table, headingDeg, sea.omega[i]);
     if (!squares) continue;
     covered += energy;
-    squares.forEach((square, mode) => modes[mode].push({ omega, variance: energy * square }));
+    squares.forEach((square, mode) => {
+      if (isHeld(mode, omega)) modes[mode].push({ omega, variance: energy * square });
+    });
   }
   return { modes, wave, covered: all ? covered / all : 0 };
 }

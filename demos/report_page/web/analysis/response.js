@@ -1,7 +1,7 @@
 // What a ship does in a sea, from its RAOs: motion, velocity and acceleration of a point, their
 // variance over headings. RAOs are complex amplitudes per metre of the wave's at G, rotations in
 // rad/m, for e^{+iωt}; axes x forward, y to port, z up, points are given from G. Pure.
-import { cosineSquared, encounter, trapezoid } from "./sea.js";
+import { cosineSquared, encounter, isHeld, trapezoid } from "./sea.js";
 
 const QUARTER = Math.PI / 180;
 
@@ -44,7 +44,8 @@ function vertical([x, y]) {
 export const quantityOf = (key) => QUANTITIES.find((quantity) => quantity.key === key);
 
 /**
- * Complex amplitude [re, im] per metre of wave, of a quantity at a point, in a regular wave.
+ * Complex amplitude [re, im] per metre of wave, of a quantity at a point, in a regular wave; surge,
+ * sway and yaw are left out where linear theory has none.
  * @param motion 12 numbers: re and im of the six modes
  * @param wave {omega, omegaE, headingDeg, gravity}
  */
@@ -52,6 +53,7 @@ export function transfer(quantity, point, motion, { omega, omegaE, headingDeg, g
   const weights = quantity.of(point);
   let re = 0, im = 0;
   for (let mode = 0; mode < 6; ++mode) {
+    if (!isHeld(mode, omegaE)) continue;
     re += weights[mode] * motion[2 * mode];
     im += weights[mode] * motion[2 * mode + 1];
   }

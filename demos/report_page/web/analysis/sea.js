@@ -7,6 +7,15 @@ export function encounter(omega, speed, headingDeg, gravity = GRAVITY) {
   return omega - omega * omega * speed * Math.cos(headingDeg * Math.PI / 180) / gravity;
 }
 
+/**
+ * Where waves are met more slowly than this [rad/s], linear theory has no surge, sway and yaw: nothing
+ * holds them, and they grow without bound.
+ */
+export const SLOWEST = 0.1;
+
+/** Is the motion of a mode (from 0) at ω_e one that linear theory has? */
+export const isHeld = (mode, omegaE) => (mode > 1 && mode < 5) || Math.abs(omegaE) >= SLOWEST;
+
 // Bretschneider's form times the peak's enhancement, of any height.
 function shape(omega, peak, gamma) {
   if (!(omega > 0)) return 0;

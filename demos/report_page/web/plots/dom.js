@@ -62,7 +62,9 @@ export function number(label, unit, value, limits, onchange) {
     id, type: "number", value, min: limits.min, max: limits.max, step: limits.step ?? "any",
     title: `${limits.min ?? "-∞"} to ${limits.max ?? "∞"}`,
     oninput: () => {
-      const good = field.value !== "" && field.checkValidity();
+      // A value between the steps of the arrows is good all the same.
+      const { rangeUnderflow, rangeOverflow, badInput } = field.validity;
+      const good = field.value !== "" && !rangeUnderflow && !rangeOverflow && !badInput;
       field.setAttribute("aria-invalid", String(!good));
       if (good) onchange(Number(field.value));
     },

@@ -2,6 +2,7 @@
 // amplitudes from the time domain are points on them.
 import { ABSCISSAE, abscissaAt, ascendingParts, sortedPoints, unwrapped }
   from "../analysis/curves.js";
+import { encounter, isHeld, SLOWEST } from "../analysis/sea.js";
 import { chips, choice, h, missing, prose, tick } from "./dom.js";
 import { Figure, legendOf } from "./figure.js";
 import { degrees } from "./format.js";
@@ -36,11 +37,12 @@ function firstChoice(page) {
 }
 
 // Greatest amplitude of a mode over all headings and frequencies.
-function greatestOf({ values }, mode) {
+function greatestOf({ values, headingsDeg, omega, speed }, mode, gravity) {
   let most = 0;
-  for (let i = 2 * mode; i < values.length; i += 12) {
-    most = Math.max(most, Math.hypot(values[i], values[i + 1]));
-  }
+  headingsDeg.forEach((headingDeg, k) => omega.forEach((w, i) => {
+    if (!isHeld(mode, encounter(w, speed, headingDeg, gravity))) return;
+    most = Math.max(most, Math.hypot(...complexAt(values, omega.length, k, i, mode)));
+  }));
   return most;
 }
 
@@ -54,8 +56,10 @@ function curvesOf(page, rao, heading, state, mode) {
   const motion = rao.omega.map((_, i) => complexAt(rao.values, n, at, i, mode));
   const scale = rotates(mode) ? DEGREES : 1;
   const x = rao.omega.map((omega) => abscissaAt(state.abscissa, omega, about));
-  const amplitude = motion.map(([re, im]) => Math.hypot(re, im) * scale);
-  const least = 1e-3 * scale * greatestOf(rao, mode);
+  const held = rao.omega.map((omega) =>
+    isHeld(mode, encounter(omega, rao.speed, heading, page.ship.gravity)));
+  const amplitude = motion.map(([re, im], i) => (held[i] ? Math.hypot(re, im) * scale : null));
+  const least = 1e-3 * scale * greatestOf(rao, mode, page.ship.gravity);
   const phases = motion.map((value, i) => (amplitude[i] > least ? phaseDegrees(value) : null));
   return { amplitude: ascendingParts(x, amplitude),
     phase: ascendingParts(x, phases).flatMap(unwrapped) };
@@ -64,7 +68,7 @@ function curvesOf(page, rao, heading, state, mode) {
 function pointsOf(page, run, state, mode) {
   const { sweep } = run, scale = rotates(mode) ? DEGREES : 1;
   const rows = sweep.mode.map((j, i) => i).filter((i) => sweep.mode[i] === mode + 1
-    && Number.isFinite(sweep.timeAmplitude[i]) && sweep.timeAmplitude[i] !== null);
+    && Number.isFinite(sweep.timeAmplitude[i]) && isHeld(mode, sweep.omegaE[i]));
   const about = { speed: run.speed, headingDeg: run.headingDeg, gravity: page.ship.gravity,
     length: page.ship.length };
   const x = rows.map((i) => abscissaAt(state.abscissa, sweep.omega[i], about));
@@ -140,7 +144,9 @@ function controls(state, page, update) {
 
 const NOTE = "Amplitude per metre of wave amplitude. Phases are the lead over the crest at the "
   + "centre of gravity G; they are left out where the amplitude is below a thousandth of the "
-  + "mode's greatest. Headings: 180° head seas, 90° beam seas from port, 0° following seas.";
+  + "mode's greatest. Surge, sway and yaw are left out below |ωₑ| = "
+  + `${SLOWEST} rad/s, where nothing holds them and linear theory has none.`
+  + " Headings: 180° head seas, 90° beam seas from port, 0° following seas.";
 
 export function motions(section, page) {
   if (!page.raos.length) {

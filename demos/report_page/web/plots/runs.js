@@ -100,11 +100,16 @@ function comparison(place, run, page, id, window) {
   const update = () => {
     const range = rangeOf(t, run.sea?.ramp, shownOnly ? window : null);
     words.textContent = wordsOf(run, t, range, prediction);
-    const rows = responses.map((response) => ({ response,
+    const all = responses.map((response, i) => ({ response, figure: figures[i],
       result: compare(response, run.column(response.column).values, range, dt,
         { prediction, period }) }));
+    const rows = all.filter(({ result }) => result);
     const end = commonEnd(rows);
-    rows.forEach(({ result }, i) => figures[i].setLines(spectrumLines(result, end)));
+    for (const { result, figure } of all) {
+      figure.spec.empty = result ? "The range is too short for a spectrum."
+        : "Some of these numbers are nan: there is no spectrum.";
+      figure.setLines(result ? spectrumLines(result, end) : []);
+    }
     numbers.replaceChildren(significantTable(rows, prediction));
   };
   // When the zoom rests: a spectrum of a long run takes a second.
@@ -148,7 +153,7 @@ function wordsOf(run, t, [begin, end], prediction) {
     + `this length scatters by chance by the share given.${part}`;
 }
 
-const commonEnd = (rows) => Math.max(...rows.map(({ result: { spectrum } }) =>
+const commonEnd = (rows) => Math.max(0.1, ...rows.map(({ result: { spectrum } }) =>
   (spectrum ? endOfEnergy(spectrum.omega, spectrum.density) : 0))) * 1.15;
 
 function spectrumLines({ spectrum, predictedDensity, least }, end) {
