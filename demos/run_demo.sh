@@ -57,6 +57,7 @@ for name in 030 090 150 180 20kn_030 20kn_150; do
   runs+=("$out/sweep_$name.toml")
 done
 page=$out/report.html
+rm -f "$page"
 if ! said=$("$cutwater" report "$database" "${runs[@]}" -o "$page" 2>&1); then
   case $said in
     *"built without the page"*) page=; echo "no page: ${said##*cutwater: report: }" ;;

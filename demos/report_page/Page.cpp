@@ -48,7 +48,7 @@ std::string pageData(const std::string& database, const std::vector<std::string>
   command::naming(database, [&] {
     json.beginObject().field("format", 1).field("title", c.ship.name);
     json.field("version", CUTWATER_VERSION).key("ship");
-    shipJson(json, c);
+    shipJson(json, c, database);
     json.key("coefficients");
     coefficientsJson(json, c);
     json.key("excitation");

@@ -42,7 +42,11 @@ void hydrostaticsJson(Json& json, const ShipParticulars& ship) {
 }
 
 // Null for a ship without a closed hull, or of which no trim balances.
-void rightingJson(Json& json, const ShipParticulars& ship) {
+void rightingJson(Json& json, const ShipParticulars& ship, const std::string& file) {
+  if (ship.hull.faces.empty()) {
+    json.null();
+    return;
+  }
   constexpr int kStep = 5;  // [deg]
   std::vector<double> heels, levers;
   try {
@@ -52,7 +56,7 @@ void rightingJson(Json& json, const ShipParticulars& ship) {
       levers.push_back(righting.at(heel * kPi / 180.0).gz);
     }
   } catch (const HydroError& error) {
-    command::warn(std::string("no righting levers on the page: ") + error.what());
+    command::warn(file + ": no righting levers on the page: " + error.what());
     json.null();
     return;
   }
@@ -83,7 +87,7 @@ void hullJson(Json& json, const ShipParticulars& ship) {
   json.end();
 }
 
-void shipJson(Json& json, const Coefficients& c) {
+void shipJson(Json& json, const Coefficients& c, const std::string& file) {
   const ShipParticulars& ship = c.ship;
   json.beginObject().field("name", ship.name).field("mass", ship.mass);
   json.key("cog").list({ship.cog.data(), 3}).key("gyradii").list({ship.gyradii.data(), 3});
@@ -101,7 +105,7 @@ void shipJson(Json& json, const Coefficients& c) {
   json.key("panels");
   panelsJson(json, c);
   json.key("righting");
-  rightingJson(json, ship);
+  rightingJson(json, ship, file);
   json.end();
 }
 

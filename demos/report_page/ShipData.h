@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include "demos/report_page/Json.h"
 #include "hydro/database/Coefficients.h"
 
@@ -8,7 +10,7 @@ namespace cutwater::page {
 void hullJson(Json& json, const ShipParticulars& ship);
 
 /// "ship": particulars, hydrostatics, hull, panels and righting levers. What a database of another
-/// code lacks is null.
-void shipJson(Json& json, const Coefficients& coefficients);
+/// code lacks is null.  @param file  its database, for warnings.
+void shipJson(Json& json, const Coefficients& coefficients, const std::string& file);
 
 }  // namespace cutwater::page

@@ -22,10 +22,16 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kDegree = kPi / 180.0;
 
-// All round, or to one side of a ship whose other side is the same.
-std::vector<double> headingsDeg(const ShipParticulars& ship) {
+// All round, or to one side of a ship whose other side is the same; without adjoint vectors those
+// of the database's table.
+std::vector<double> headingsDeg(const Coefficients& c) {
   std::vector<double> headings;
-  for (int heading = 0; heading <= (ship.symmetric ? 180 : 345); heading += 15)
+  if (c.adjoint.empty()) {
+    for (const double heading : c.headings) headings.push_back(heading / kDegree);
+    std::sort(headings.begin(), headings.end());
+    return headings;
+  }
+  for (int heading = 0; heading <= (c.ship.symmetric ? 180 : 345); heading += 15)
     headings.push_back(heading);
   return headings;
 }
@@ -67,7 +73,7 @@ void limitJson(Json& json, const char* name, const Mat6& limit) {
 template <class Answer, class At>
 std::vector<Answer> overWaves(const Coefficients& c, const std::string& file,
                               const std::string& what, const Answer& nothing, const At& at) {
-  const std::vector<double> headings = headingsDeg(c.ship), omegas = waveGrid(c);
+  const std::vector<double> headings = headingsDeg(c), omegas = waveGrid(c);
   std::vector<Answer> answers(headings.size() * omegas.size(), nothing);
   std::vector<std::string> reasons(answers.size());
   parallelFor(answers.size(), 0, [&](std::size_t i) {
@@ -79,13 +85,16 @@ std::vector<Answer> overWaves(const Coefficients& c, const std::string& file,
   });
   const auto isSaid = [](const std::string& reason) { return !reason.empty(); };
   const auto first = std::find_if(reasons.begin(), reasons.end(), isSaid);
-  if (first != reasons.end()) command::warn(file + ": no " + what + " on the page: " + *first);
-  if (std::all_of(first, reasons.end(), isSaid) && first == reasons.begin()) return {};
+  if (first == reasons.end()) return answers;
+  const bool all = std::all_of(reasons.begin(), reasons.end(), isSaid);
+  command::warn(
+      fmt::format("{}: {} {} on the page: {}", file, all ? "no" : "not all of the", what, *first));
+  if (all) answers.clear();
   return answers;
 }
 
 void axesJson(Json& json, const Coefficients& c) {
-  json.key("headingsDeg").list(headingsDeg(c.ship)).key("omega").list(waveGrid(c));
+  json.key("headingsDeg").list(headingsDeg(c)).key("omega").list(waveGrid(c));
 }
 
 FrequencyResponse responseOf(const Coefficients& c, bool free) {

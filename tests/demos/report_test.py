@@ -9,12 +9,15 @@ import io
 import json
 import math
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
 import zlib
+
+import h5py
 
 COMMAND, DATABASE, SHIP, BOAT, CRANE = (os.path.abspath(a) for a in sys.argv[1:6])
 FULL = "CUTWATER_FULL" in os.environ
@@ -260,6 +263,20 @@ class Database(Pages):
         wanted = abs(omega**2 * table_["A"]["33"][at] - 1j * omega * table_["B"]["33"][at])
         self.assertGreater(force, 0.99 * wanted)
         self.assertLess(force, 1.05 * wanted)
+
+    def test_a_plain_bemio_file_lacks_a_hull_and_motions(self):
+        """What it has is there, at its own headings; what it lacks is null, not an error."""
+        plain = self.path("plain.h5")
+        shutil.copy(DATABASE, plain)
+        with h5py.File(plain, "a") as file:
+            del file["cutwater"]
+        page = self.data(database=plain)
+        self.assertEqual(page["excitation"]["headingsDeg"], [0, 90, 180])
+        self.assertEqual(page["raos"], [])
+        for name in ("hydrostatics", "hull", "panels", "righting"):
+            self.assertIsNone(page["ship"][name])
+        self.assertIn("33", page["coefficients"]["A"])
+        self.assertIn("33", page["retardation"]["K"])
 
     def test_gates(self):
         gates = {gate["name"].split(":")[0]: gate for gate in self.page["gates"]}
