@@ -16,7 +16,7 @@ def width(line):
 
 
 def faults(root):
-    for path in tree.files(root, tree.CODE + tree.SCRIPTS):
+    for path in tree.files(root, tree.CODE + tree.SCRIPTS + tree.WEB):
         for number, line in enumerate(tree.read(root, path).split("\n"), 1):
             if width(line) > WIDEST:
                 yield f"{path}:{number}: {width(line)} columns"

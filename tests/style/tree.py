@@ -4,6 +4,7 @@ import os
 FOLDERS = ("plugin", "hydro", "meshes", "demos", "docs", "tests", ".ci")
 CODE = (".h", ".cpp")
 SCRIPTS = (".py", ".cmake", ".sh", ".gp", ".toml", ".in", "CMakeLists.txt", "packages.txt")
+WEB = (".js", ".mjs", ".css", ".html")
 PROSE = (".md",)
 SKIPPED = ("__pycache__", "node_modules")
 

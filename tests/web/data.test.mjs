@@ -66,5 +66,6 @@ test("motions are there at once, forces when they are asked for", async () => {
 
 test("the template without data and other formats are refused in one line", async () => {
   await assert.rejects(readPage("/*CUTWATER-DATA*/"), /template.*cutwater report/);
+  await assert.rejects(readPage("{"), /damaged, write it again/);
   await assert.rejects(readPage('{"format": 2}'), /format 2; this page reads format 1/);
 });

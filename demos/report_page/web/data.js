@@ -107,12 +107,20 @@ async function readRun(run) {
   return run;
 }
 
+function parsed(text) {
+  try {
+    return JSON.parse(text);
+  } catch (error) {
+    throw new Error(`data: the file is damaged, write it again: ${error.message}`);
+  }
+}
+
 /** The page's object from the text of its data. */
 export async function readPage(text) {
   if (/^\s*(\/\*|$)/.test(text)) {
     throw new Error("this is the template of the page, without data: `cutwater report` fills it");
   }
-  const page = decodeBlobs(JSON.parse(text));
+  const page = decodeBlobs(parsed(text));
   if (page.format !== 1) throw new Error(`data: format ${page.format}; this page reads format 1`);
   page.raos ??= [];
   page.gates ??= [];

@@ -8,8 +8,8 @@ export function encounter(omega, speed, headingDeg, gravity = GRAVITY) {
 }
 
 /**
- * Where waves are met more slowly than this [rad/s], linear theory has no surge, sway and yaw: nothing
- * holds them, and they grow without bound.
+ * Where waves are met more slowly than this [rad/s], linear theory has no surge, sway and yaw:
+ * nothing holds them, and they grow without bound.
  */
 export const SLOWEST = 0.1;
 

@@ -54,7 +54,7 @@ export class Figure {
     this.spec = spec;
     this.readout = h("output.readout", { "aria-live": "polite" });
     this.legend = h("div.legend");
-    this.tooltip = h("div.tooltip", { hidden: true });
+    this.tooltip = h("div.tooltip", { hidden: true, role: "status" });
     this.unit = h("span.unit");
     this.canvas = h("div.canvas", {
       tabindex: 0, role: "group",

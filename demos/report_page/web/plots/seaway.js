@@ -8,7 +8,7 @@ import { chips, choice, h, missing, number, prose, table, tick } from "./dom.js"
 import { Figure } from "./figure.js";
 import { show } from "./format.js";
 import { title } from "./modes.js";
-import { Polar } from "./polar.js";
+import { Polar, ringStep } from "./polar.js";
 
 // Examples of limits, for the reader to change; factor 2: significant amplitude, 1: rms.
 const CRITERIA = [
@@ -107,7 +107,8 @@ function drawLimits(polar, figure, page, state, sets) {
     .filter(Number.isFinite);
   const median = finite.sort((a, b) => a - b)[Math.floor(finite.length / 2)] ?? 1;
   const usual = finite.filter((hs) => hs < 2.5 * median);
-  const most = Math.ceil(1.15 * Math.max(...usual, state.hs));
+  const top = 1.1 * Math.max(...usual, state.hs), step = ringStep(top);
+  const most = step * Math.ceil(top / step);
   polar.set(headingsOf(sets), sets.map(({ speed }, i) => ({ label: speedName(speed),
     colour: state.speeds.indexOf(speed), words: limits[i].words,
     values: limits[i].limiting.map(({ hs }) => hs) })),
