@@ -228,7 +228,7 @@ export class Figure {
       if (value === undefined || value === null || !plot.series[i + 1].show) return;
       const away = Math.abs(plot.valToPos(plot.data[0][at], "x") - left);
       const group = line.group ?? line.label;
-      if (away > 40 || found.get(group)?.away <= away) return;
+      if (away > (line.points ? 8 : 40) || found.get(group)?.away <= away) return;
       const scaled = show(value / 10 ** this.exponent);
       found.set(group, { away, line, i, text: `${scaled} ${scaledUnit(this.spec.y.unit,
         this.exponent)}` });

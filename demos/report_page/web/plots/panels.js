@@ -11,7 +11,8 @@ import { colour } from "./theme.js";
 
 // What can be shown as colour: [{name, unit, values}].
 function fieldsOf({ quality, fields }) {
-  return [...(fields ?? []), ...(quality ? [{ name: "quality", unit: "", values: quality }] : [])];
+  return [...(fields ?? []), ...(quality
+    ? [{ name: "quality: aspect ratio, 1 is best", unit: "", values: quality }] : [])];
 }
 
 const cornersOf = ({ faces }, panel) => faces.subarray(4 * panel, 4 * panel + 4);

@@ -57,7 +57,7 @@ export class Polar {
   /** @param spec {id, title, unit, most: greatest radius if fixed, fill} */
   constructor(parent, spec) {
     this.spec = spec;
-    this.readout = h("output.readout", { "aria-live": "polite" });
+    this.readout = h("output.readout.under", { "aria-live": "polite" });
     this.legend = h("div.legend");
     this.canvas = h("div.polar", {
       tabindex: 0, role: "group",
@@ -69,7 +69,7 @@ export class Polar {
     this.name = h("span.name", {});
     this.unit = h("span.unit", {});
     this.element = h("figure", { id: `figure-${spec.id}` },
-      h("figcaption", {}, this.name, this.unit, this.readout), this.legend, this.canvas);
+      h("figcaption", {}, this.name, this.unit), this.legend, this.canvas, this.readout);
     parent.append(this.element);
   }
 
@@ -136,10 +136,11 @@ export class Polar {
       this.readout.textContent = "";
       return;
     }
-    const values = this.lines.map(({ values: v, words }) =>
-      `${Number.isFinite(v[i]) ? show(v[i], 3) : "no limit"}${words ? ` ${words[i]}` : ""}`);
-    const heading = degrees(this.headings[i]);
-    this.readout.textContent = `${heading}: ${values.join(", ")} ${this.unitName}`;
+    const values = this.lines.map(({ label, values: v, words }) => {
+      const value = Number.isFinite(v[i]) ? `${show(v[i], 3)} ${this.unitName}` : "no limit";
+      return [this.lines.length > 1 ? `${label}:` : "", value, words?.[i] ?? ""].join(" ").trim();
+    });
+    this.readout.textContent = [`heading ${degrees(this.headings[i])}`, ...values].join("\n");
     this.lines.forEach((line, k) => {
       const [cx, cy] = place(this.headings[i],
         RADIUS * Math.min(line.values[i], this.most) / this.most);
