@@ -21,12 +21,12 @@ export function findBrowser() {
 const FLAGS = [
   "--headless",
   "--no-sandbox",
-  "--use-angle=swiftshader",
-  "--enable-unsafe-swiftshader",
   "--hide-scrollbars",
   "--disable-dev-shm-usage",
   "--remote-debugging-pipe",
 ];
+const WEBGL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+const NO_WEBGL = ["--disable-gpu", "--disable-3d-apis"];
 
 export class Browser {
   #process;
@@ -40,12 +40,13 @@ export class Browser {
   complaints = [];
 
   /** Starts a browser with one empty page of this size [pixels]. */
-  static async start({ width = 1280, height = 720, dark = false } = {}) {
+  static async start({ width = 1280, height = 720, dark = false, webgl = true } = {}) {
     const path = findBrowser();
     if (path === null) throw new Error("no Chromium: apt-get install chromium-headless-shell");
     const browser = new Browser();
     browser.#profile = mkdtempSync(join(tmpdir(), "cutwater-browser-"));
-    const flags = [...FLAGS, `--user-data-dir=${browser.#profile}`, "about:blank"];
+    const drawing = webgl ? WEBGL : NO_WEBGL;
+    const flags = [...FLAGS, ...drawing, `--user-data-dir=${browser.#profile}`, "about:blank"];
     browser.#process = spawn(path, flags, {
       stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"],
     });
@@ -150,7 +151,10 @@ export class Browser {
 
   /** The colour scheme that the reader prefers. */
   async prefer(dark) {
-    const features = [{ name: "prefers-color-scheme", value: dark ? "dark" : "light" }];
+    const features = [
+      { name: "prefers-color-scheme", value: dark ? "dark" : "light" },
+      { name: "prefers-reduced-motion", value: "reduce" },  // the replay waits until asked
+    ];
     await this.send("Emulation.setEmulatedMedia", { features });
   }
 
