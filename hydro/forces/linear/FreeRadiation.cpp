@@ -23,9 +23,7 @@ Vec6 velocityOf(const Vec3& steady) {
 
 FreeRadiation::FreeRadiation(std::shared_ptr<const RadiationModel> model,
                              std::shared_ptr<const PredictedMotion> predicted, MemoryModel memory)
-    : model_(std::move(model)),
-      predicted_(std::move(predicted)),
-      memoryModel_(memory) {
+    : model_(std::move(model)), predicted_(std::move(predicted)), memoryModel_(memory) {
   // Takes ticks of any length, so it is made now, not in the first tick.
   if (memory == MemoryModel::Exponential) memory_ = model_->makeMemory(1.0 / 60.0);
 }
