@@ -1,18 +1,58 @@
-// page_in_browser.mjs PAGE.html FOLDER CUTWATER DATABASE.h5 PICTURES: opens a page of `cutwater
-// report` in headless Chromium as a reader does. Its console stays silent and nothing is asked of a
-// network; its plots hold what the CSV files beside it and the command say; the sea of its replay
-// is that of the run to a millimetre; keys and colour schemes work. Pictures are left, with
-// CUTWATER_FULL of the whole page.
+// page_in_browser.mjs CUTWATER DATABASE.h5 FOLDER [make]: opens FOLDER/report.html, the page that
+// ./run demo or `make` leaves there, in headless Chromium as a reader does. Its console stays silent
+// and nothing is asked of a network; its plots hold what the CSV files beside it and the command say; the sea of its replay
+// is that of the run to a millimetre; keys and colour schemes work. Pictures are left in
+// FOLDER/pictures, with CUTWATER_FULL of the whole page.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdirSync, readFileSync } from "node:fs";
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { Browser, findBrowser } from "./Browser.mjs";
 
 const full = Boolean(process.env.CUTWATER_FULL);
-const [page, folder, cutwater, database, pictures] = process.argv.slice(2).map((a) => resolve(a));
+const [cutwater, database, folder] = process.argv.slice(2, 5).map((a) => resolve(a));
+const page = join(folder, "report.html");
+const pictures = join(folder, "pictures");
+
+const RUN = `database = "${database}"
+[bullet]
+dt = 0.05
+duration = 90.0
+[waves]
+type = "jonswap"
+hs = 3.0
+tp = 9.0
+spreading = 4
+components = 60
+[motion]
+speed = 5.0
+heading_deg = 150.0
+keep_speed = true
+keep_course = true
+`;
+const SWEEP = `database = "${database}"
+[bullet]
+duration = 100.0
+[waves]
+type = "regular"
+omega = [0.6, 0.9]
+amplitude = 0.05
+[motion]
+heading_deg = 135.0
+`;
+
+function makePage() {
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder, { recursive: true });
+  const call = (...words) => execFileSync(cutwater, words, { cwd: folder, stdio: "pipe" });
+  writeFileSync(join(folder, "run.toml"), RUN);
+  writeFileSync(join(folder, "sweep.toml"), SWEEP);
+  call("simulate", "run.toml", "--forces", "-o", "run.csv");
+  call("sweep", "sweep.toml", "-o", "sweep.csv");
+  call("report", database, "run.toml", "sweep.toml", "-o", "report.html");
+}
 
 /** {name: [numbers]} of a CSV file's text. */
 function columns(text) {
@@ -132,6 +172,8 @@ async function checkSea(browser) {
   return seconds;
 }
 
+if (process.argv[5] === "make" && findBrowser()) makePage();
+
 test("the page in a browser", { skip: findBrowser() ? false : "no Chromium" }, async (t) => {
   mkdirSync(pictures, { recursive: true });
   const browser = await Browser.start({ width: 1280, height: 720 });
@@ -161,6 +203,7 @@ test("the page in a browser", { skip: findBrowser() ? false : "no Chromium" }, a
     await browser.prefer(true);
     if (full) await picturesOf(browser, "dark", 1280);
     await browser.resize(700, 900);
+    await new Promise((resolve) => setTimeout(resolve, 1500));  // plots follow their width
     if (full) await picturesOf(browser, "narrow", 700);
     const wide = await browser.run("document.documentElement.scrollWidth");
     assert.ok(wide <= 700, `${wide} pixels wide on a screen of 700`);
