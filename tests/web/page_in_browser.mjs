@@ -84,7 +84,7 @@ const plot = (browser, id) => browser.run(`(() => {
   const plot = window.cutwater.plots[${JSON.stringify(id)}];
   if (!plot) return null;
   return { title: plot.title, x: [...plot.x],
-    series: plot.series.map((s) => ({ label: s.label, values: [...s.values] })) };
+    series: plot.series.map((s) => ({ label: s.label, about: s.about, values: [...s.values] })) };
 })()`);
 
 async function open(browser, query = "") {
@@ -124,10 +124,10 @@ async function checkRuns(browser) {
 
 async function checkMotions(browser) {
   const heave = await plot(browser, "rao-heave");
-  const line = heave.series.find((s) => /^\d+°/.test(s.label));
-  const heading = parseFloat(line.label);
-  const speed = /([\d.]+) m\/s/.exec(line.label)?.[1] ?? "0";
-  const csv = fromCommand("rao", database, "--speed", speed, "--heading", String(heading), "--free");
+  const line = heave.series.find((s) => s.about);
+  const { headingDeg, speed, free } = line.about;
+  const csv = fromCommand("rao", database, "--speed", String(speed), "--heading",
+    String(headingDeg), ...(free ? ["--free"] : []));
   let compared = 0;
   csv.omega.forEach((omega, row) => {
     const at = heave.x.findIndex((x) => Math.abs(x - omega) < 1e-6);
@@ -203,9 +203,12 @@ test("the page in a browser", { skip: findBrowser() ? false : "no Chromium" }, a
     await browser.prefer(true);
     if (full) await picturesOf(browser, "dark", 1280);
     await browser.resize(700, 900);
-    await new Promise((resolve) => setTimeout(resolve, 1500));  // plots follow their width
+    let wide = Infinity;  // plots follow the width of the window, a little later
+    for (let i = 0; i < 60 && wide > 700; ++i) {
+      await new Promise((resolve) => setTimeout(resolve, 500));
+      wide = await browser.run("document.documentElement.scrollWidth");
+    }
     if (full) await picturesOf(browser, "narrow", 700);
-    const wide = await browser.run("document.documentElement.scrollWidth");
     assert.ok(wide <= 700, `${wide} pixels wide on a screen of 700`);
   });
   await t.test("nothing is complained of", () => assert.deepEqual(browser.complaints, []));
