@@ -88,7 +88,7 @@ export function makeOverlay(bodies) {
     );
     rope.frustumCulled = false;
     group.add(mark, rope);
-    return { parts, arrows, line, mark, rope, forces: null, loading: false };
+    return { parts, arrows, line, mark, rope, forces: null, silent: [], loading: false };
   });
 
   const loadForces = async (entry, body, done) => {
@@ -103,6 +103,7 @@ export function makeOverlay(bodies) {
         ),
       ),
     );
+    entry.silent = forces.map((axes) => axes.every((v) => !v || v.every((f) => f === 0)));
     entry.forces = forces;
     done();
   };
@@ -116,7 +117,8 @@ export function makeOverlay(bodies) {
   return {
     group,
     /// Brings all to time t. show: {forces, centre, track}; newtonsPerMetre scales arrows.
-    /// Returns per body the force of each part, or null while they are being read.
+    /// Returns per body the force of each part, null of one that is 0 in all of the run, or null
+    /// for all while they are being read.
     update({ t, sea, eye, origin, poses, show, rows, scaleOf, longest, changed }) {
       return perBody.map((entry, n) => {
         const body = bodies[n];
@@ -149,7 +151,7 @@ export function makeOverlay(bodies) {
             .clampLength(0, longest * body.length);
           entry.arrows[i].set(place, v, 0.0045 * body.length);
         });
-        return forces;
+        return forces.map((f, i) => (entry.silent[i] ? null : f));
       });
     },
     dispose() {

@@ -1,341 +1,338 @@
 // The replay: the ships of a run in their sea. createReplay draws in an element with its own
 // controls; what moves is the run's numbers, what only looks (sky, ripples, superstructure) is not.
 import * as THREE from "three";
-import { makeCameras, CAMERAS } from "./cameras.js";
-import { makeControls, OVERLAYS, SPEEDS } from "./controls.js";
+import { OVERLAYS, SPEEDS } from "./bar.js";
+import { CAMERAS, makeCameras } from "./cameras.js";
+import { makeControls } from "./controls.js";
 import { aimSun, makeLight, makeSky } from "./light.js";
-import { groupRuns, sceneOfRuns, scenesWithoutRuns } from "./scenes.js";
 import { chooseQuality, QUALITIES } from "./quality.js";
-import { makeStage } from "./stage.js";
+import { groupRuns, sceneOfRuns, scenesWithoutRuns } from "./scenes.js";
+import { Stage, SUN_BEARING } from "./stage.js";
 import { elevation } from "./wave.js";
+
+const OF_THE_RUN =
+  "Heights and slopes of the sea, positions and attitudes are the run's own numbers.";
+const NOTE = "Decoration: light, sky, ripples shorter than the run's waves, paint and " +
+  "superstructure. Left out: the wake, the waves that the ship makes, spray and foam.";
 
 function makeRenderer(canvas, quality) {
   const renderer = new THREE.WebGLRenderer({
-    canvas,
-    antialias: quality.antialias,
-    alpha: false,
-    powerPreference: "high-performance",
+    canvas, antialias: quality.antialias, alpha: false, powerPreference: "high-performance",
   });
-  if (!renderer.getContext().getExtension("EXT_color_buffer_float")) {
-    renderer.dispose();
-    throw new Error(
-      "this browser's WebGL cannot draw into float textures (EXT_color_buffer_float).",
-    );
-  }
-  renderer.info.autoReset = true;
-  renderer.sortObjects = true;
-  return renderer;
+  if (renderer.getContext().getExtension("EXT_color_buffer_float")) return renderer;
+  renderer.dispose();
+  throw new Error("this browser's WebGL cannot draw into float textures (EXT_color_buffer_float)");
 }
-
-const RUN = "Heights and slopes of the sea, positions and attitudes are the run's own numbers. ";
-const NOTE =
-  "Decoration: light, sky, ripples shorter than the run's waves, paint and superstructure. " +
-  "Left out: the wake, the waves that the ship makes, spray and foam.";
 
 /// Names and makers of all scenes of a page.
 function listScenes(page) {
   const groups = groupRuns(page.runs ?? []);
   if (groups.length > 0) {
     return groups.map((runs) => ({
-      title: runs.map(({ name }) => name).join(", "),
-      make: () => sceneOfRuns(runs, page),
+      title: runs.map(({ name }) => name).join(", "), make: () => sceneOfRuns(runs, page),
     }));
   }
   return scenesWithoutRuns(page).map((scene) => ({ title: scene.title, make: async () => scene }));
 }
 
-/// Draws the replay of `page` (data.js: readPage) in `element`. Throws where WebGL 2 with float
-/// textures is missing. `seek` has drawn when it returns.
-export async function createReplay(element, page) {
-  const scenes = listScenes(page);
-  let request = 0; // of the next frame; 0 while nothing changes
-  const view = {
-    t: 0,
-    speed: 1,
-    playing: false,
-    scene: 0,
-    body: 0,
-    gain: null,
-    dirty: true,
-    visible: true,
-    show: {
-      waterline: false,
-      pressure: false,
-      forces: false,
-      centre: false,
-      track: false,
-      glass: false,
-      decoration: true,
-    },
-    gone: false,
-    cost: 0,
-  };
-  const controls = makeControls(
-    element,
-    scenes.map(({ title }) => title),
-    {
-      toggle: () => (view.playing ? pause() : play()),
-      seek: (t) => setTime(t),
-      speed: (s) => setSpeed(s),
-      camera: (kind) => setCamera(kind),
-      overlay: (key, on) => setOverlay(key, on),
-      scene: (i) => openScene(i),
-      body: (i) => setBody(i),
-      gain: (g) => {
-        stage.setGain(g);
-        touch();
-      },
-      key: (event) => onKey(event),
-    },
-  );
-  const renderer = await startRenderer(controls.canvas, element);
-  let quality = renderer.quality;
-  const light = makeLight();
-  const sky = makeSky(light);
-  const camera = new THREE.PerspectiveCamera(40, 16 / 9, 0.5, 90000);
-  const cameras = makeCameras(camera, controls.canvas, () => {
-    touch();
-  });
-  let stage = null;
-  let current = null;
+const clamp = (v, low, high) => Math.min(high, Math.max(low, v));
 
-  async function openScene(index) {
-    current = await scenes[index].make();
-    if (view.gone) return;
-    view.scene = index;
-    buildStage();
-    aimSun(
-      light,
-      (current.bodies[0].track.at(current.start).yaw * Math.PI) / 180 + stage.sunBearing,
-    );
-    setBody(0);
-    setTime(
-      Math.min(current.end, Math.max(current.start, current.start + 2 * (current.sea.ramp ?? 0))),
-    );
-    controls.setScene({
-      index,
-      start: current.start,
-      end: current.end,
-      seaText: current.seaText,
-      bodies: current.bodies.map(({ name }) => name),
-      note: [...current.faults.map((f) => `Not shown: ${f}.`), current.note || RUN, NOTE].join(" "),
+class Replay {
+  constructor(element, page) {
+    this.element = element;
+    this.scenes = listScenes(page);
+    this.quality = chooseQuality(window.location.search);
+    Object.assign(this, {
+      t: 0, speed: 1, playing: false, body: 0, dirty: true, visible: true, gone: false,
+      request: 0, last: 0, slow: 0, fence: null, stage: null, scene: null,
     });
+    this.show = Object.fromEntries(OVERLAYS.map(([key]) => [key, key === "decoration"]));
+    this.controls = makeControls(element, this.scenes.map(({ title }) => title), this.wishes());
+    this.renderer = makeRenderer(this.controls.canvas, this.quality);
+    this.light = makeLight();
+    this.sky = makeSky(this.light);
+    this.camera = new THREE.PerspectiveCamera(40, 16 / 9, 0.5, 90000);
+    this.cameras = makeCameras(this.camera, this.controls.canvas, () => this.touch());
   }
 
-  function buildStage() {
-    stage?.dispose();
-    stage = makeStage({
-      renderer: renderer.three,
-      scene: current,
-      light,
-      sky,
-      camera,
-      quality,
-      changed: () => {
-        touch();
-      },
+  /// What the controls call.
+  wishes() {
+    return {
+      toggle: () => (this.playing ? this.pause() : this.play()),
+      seek: (t) => this.setTime(t),
+      speed: (s) => this.setSpeed(s),
+      camera: (kind) => this.setCamera(kind),
+      overlay: (key, on) => this.setOverlay(key, on),
+      scene: (i) => this.openScene(i),
+      body: (i) => this.setBody(i),
+      gain: (g) => this.setGain(g),
+      key: (event) => this.onKey(event),
+    };
+  }
+
+  async start() {
+    await this.openScene(0);
+    this.setCamera("follow");
+    this.setSpeed(1);
+    this.pause();
+    this.watch();
+    this.draw();
+    const calm = window.matchMedia?.("(prefers-reduced-motion: reduce)").matches;
+    if (!calm && !this.quality.software) this.play();
+  }
+
+  /// Follows the size of the picture, and rests while it is out of sight.
+  watch() {
+    this.sizes = new ResizeObserver(() => this.resize());
+    this.sizes.observe(this.controls.box);
+    this.sight = new IntersectionObserver(([entry]) => {
+      this.visible = entry.isIntersecting;
+      this.last = performance.now();
+      if (this.dirty) this.wake();
     });
-    for (const [key] of OVERLAYS) setOverlay(key, view.show[key]);
-    resize();
+    this.sight.observe(this.controls.box);
+    this.onVisible = () => {
+      this.last = performance.now();
+    };
+    document.addEventListener("visibilitychange", this.onVisible);
   }
 
-  function setTime(t) {
-    view.t = Math.min(current.end, Math.max(current.start, t));
-    touch();
+  async openScene(index) {
+    const scene = await this.scenes[index].make();
+    if (this.gone) return;
+    this.scene = scene;
+    const { bodies, start, end, sea, faults, note } = scene;
+    this.buildStage();
+    const yaw = (bodies[0].track.at(start).yaw * Math.PI) / 180;
+    aimSun(this.light, yaw + SUN_BEARING);
+    this.setTime(start + 2 * (sea.ramp ?? 0));
+    this.controls.bar.setRange(start, end);
+    this.controls.about.setScene(index, bodies.map(({ name }) => name), scene.seaText);
+    this.controls.setNote(
+      [...faults.map((f) => `Not shown: ${f}.`), note || OF_THE_RUN, NOTE].join(" "));
+    this.setBody(0);
   }
-  function setSpeed(s) {
-    view.speed = s;
-    controls.setSpeed(s);
+
+  buildStage() {
+    this.stage?.dispose();
+    const { scene, light, sky, camera, quality } = this;
+    this.stage = new Stage({
+      renderer: this.renderer, scene, light, sky, camera, quality, changed: () => this.touch(),
+    });
+    for (const [key] of OVERLAYS) this.setOverlay(key, this.show[key]);
+    this.resize();
   }
-  function setCamera(kind) {
-    cameras.state.kind = kind;
-    controls.setCamera(kind);
-    touch();
+
+  setTime(t) {
+    this.t = clamp(t, this.scene.start, this.scene.end);
+    this.touch();
   }
-  function setBody(i) {
-    view.body = i;
-    stage.setBody(i);
-    cameras.state.length = stage.lengthOf(i);
-    controls.setBody(i);
-    touch();
+
+  setSpeed(s) {
+    this.speed = s;
+    this.controls.bar.setSpeed(s);
   }
-  function setOverlay(key, on) {
-    const possible = stage.can(key);
-    view.show[key] = on;
-    controls.setOverlay(key, on && possible, possible);
+
+  setCamera(kind) {
+    this.cameras.state.kind = kind;
+    this.controls.bar.setCamera(kind);
+    this.touch();
+  }
+
+  setBody(i) {
+    this.body = i;
+    this.stage.inView = i;
+    this.cameras.state.length = this.stage.length;
+    this.controls.about.setBody(i);
+    this.touch();
+  }
+
+  setGain(g) {
+    this.stage.gain = g;
+    this.touch();
+  }
+
+  setOverlay(key, on) {
+    const { stage, controls } = this;
+    this.show[key] = on;
+    controls.bar.setOverlay(key, on && stage.can(key), stage.can(key));
     // Pressure on a hull is seen through the water.
-    stage.setShow({ ...view.show, glass: view.show.glass || view.show.pressure });
-    controls.setGain(stage.gain, view.show.forces && stage.can("forces"));
-    touch();
-  }
-  function play() {
-    if (view.t >= current.end) setTime(current.start);
-    view.playing = true;
-    last = performance.now();
-    controls.setPlaying(true);
-    wake();
-  }
-  function pause() {
-    view.playing = false;
-    controls.setPlaying(false);
+    stage.setShow({ ...this.show, glass: this.show.glass || this.show.pressure });
+    controls.bar.setGain(stage.gain, this.show.forces && stage.can("forces"));
+    this.touch();
   }
 
-  function onKey(event) {
-    const step = (event.shiftKey ? 10 : 1) * (view.playing ? 5 : 1);
-    const speedBy = (n) =>
-      setSpeed(SPEEDS[Math.min(SPEEDS.length - 1, Math.max(0, SPEEDS.indexOf(view.speed) + n))]);
+  play() {
+    if (this.t >= this.scene.end) this.setTime(this.scene.start);
+    this.playing = true;
+    this.last = performance.now();
+    this.controls.bar.setPlaying(true);
+    this.wake();
+  }
+
+  pause() {
+    this.playing = false;
+    this.controls.bar.setPlaying(false);
+  }
+
+  /// Does what a key asks for; false if it is no key of the replay.
+  onKey(event) {
     const camera = CAMERAS[Number(event.key) - 1];
     const overlay = OVERLAYS.find(([, , letter]) => letter === event.key.toLowerCase());
-    const keys = {
-      " ": () => (view.playing ? pause() : play()),
-      ArrowLeft: () => setTime(view.t - step),
-      ArrowRight: () => setTime(view.t + step),
-      Home: () => setTime(current.start),
-      End: () => setTime(current.end),
-      ArrowUp: () => cameras.turnBy(0, 15),
-      ArrowDown: () => cameras.turnBy(0, -15),
-      "[": () => cameras.turnBy(20, 0),
-      "]": () => cameras.turnBy(-20, 0),
-      PageUp: () => cameras.scaleBy(0.87),
-      PageDown: () => cameras.scaleBy(1.15),
-      h: () => controls.box.classList.toggle("cw-bare"),
-      "+": () => speedBy(1),
-      "=": () => speedBy(1),
-      "-": () => speedBy(-1),
-    };
-    const act =
-      keys[event.key] ??
-      (camera && (() => setCamera(camera))) ??
-      (overlay && (() => setOverlay(overlay[0], !view.show[overlay[0]])));
+    const act = this.keys(event.shiftKey ? 10 : 1)[event.key] ??
+      (camera && (() => this.setCamera(camera))) ??
+      (overlay && (() => this.setOverlay(overlay[0], !this.show[overlay[0]])));
     act?.();
     return Boolean(act);
   }
 
-  function resize() {
-    const { clientWidth: w, clientHeight: h } = controls.box;
-    if (w === 0 || h === 0) return;
-    const ratio = Math.min(window.devicePixelRatio || 1, quality.pixelRatio);
-    renderer.three.setPixelRatio(ratio);
-    renderer.three.setSize(w, h, false);
-    camera.aspect = w / h;
-    camera.updateProjectionMatrix();
-    touch();
+  keys(step) {
+    const { cameras } = this;
+    const faster = (n) => () =>
+      this.setSpeed(SPEEDS[clamp(SPEEDS.indexOf(this.speed) + n, 0, SPEEDS.length - 1)]);
+    return {
+      " ": () => (this.playing ? this.pause() : this.play()),
+      ArrowLeft: () => this.setTime(this.t - step), ArrowRight: () => this.setTime(this.t + step),
+      Home: () => this.setTime(this.scene.start), End: () => this.setTime(this.scene.end),
+      ArrowUp: () => cameras.turnBy(0, 15), ArrowDown: () => cameras.turnBy(0, -15),
+      "[": () => cameras.turnBy(20, 0), "]": () => cameras.turnBy(-20, 0),
+      PageUp: () => cameras.scaleBy(0.87), PageDown: () => cameras.scaleBy(1.15),
+      "+": faster(1), "=": faster(1), "-": faster(-1),
+      h: () => this.controls.hide(),
+    };
   }
 
-  function draw() {
-    const began = performance.now();
-    const state = stage.draw(view.t, cameras, [
-      controls.box.clientWidth,
-      controls.box.clientHeight,
-    ]);
-    const g = state.pose.position;
-    controls.setTime(view.t, current.end, {
-      t: view.t.toFixed(1),
-      heave: (g[2] - current.bodies[view.body].cogZ).toFixed(2),
-      roll: state.pose.roll.toFixed(1),
-      pitch: state.pose.pitch.toFixed(1),
-      speed: Number.isFinite(state.speed) ? state.speed.toFixed(1) : "–",
-      zeta: elevation(current.sea, view.t, g[0], g[1]).toFixed(2),
+  resize() {
+    const [width, height] = this.controls.size;
+    if (width === 0 || height === 0) return;
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, this.quality.pixelRatio));
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.touch();
+  }
+
+  draw() {
+    const { controls, scene, t } = this;
+    const { pose, speed, rule, legend } = this.stage.draw(t, this.cameras, controls.size);
+    const [x, y, z] = pose.position;
+    controls.bar.setTime(t, scene.end);
+    controls.readout.set({
+      t: t.toFixed(1), heave: (z - scene.bodies[this.body].cogZ).toFixed(2),
+      roll: pose.roll.toFixed(1), pitch: pose.pitch.toFixed(1),
+      speed: Number.isFinite(speed) ? speed.toFixed(1) : "–",
+      zeta: elevation(scene.sea, t, x, y).toFixed(2),
     });
-    controls.setRule(state.rule.pixels, state.rule.metres);
-    controls.setLegend(state.legend);
-    view.dirty = false;
-    view.cost = performance.now() - began;
+    controls.rule.set(rule);
+    controls.legend.set(legend);
+    this.dirty = false;
+    this.setFence();
   }
 
-  let last = performance.now();
-  let slow = 0;
-  function frame(now) {
-    request = 0;
-    if (view.gone) return;
-    const dt = Math.min(0.25, (now - last) / 1000);
-    last = now;
-    if (view.playing) {
-      setTime(view.t + dt * view.speed);
-      if (view.t >= current.end) pause();
-      judge(dt);
-    }
-    if (view.dirty && view.visible) draw();
-    if (view.playing) wake();
+  /// Whether the graphics card has done the last picture: no more than one is ever under way.
+  drawn() {
+    const gl = this.renderer.getContext();
+    if (!this.fence) return true;
+    const state = gl.clientWaitSync(this.fence, 0, 0);
+    if (state === gl.TIMEOUT_EXPIRED) return false;
+    gl.deleteSync(this.fence);
+    this.fence = null;
+    return true;
   }
+
+  setFence() {
+    const gl = this.renderer.getContext();
+    if (this.fence) gl.deleteSync(this.fence);
+    this.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+  }
+
   /// What is seen is no longer true.
-  function touch() {
-    view.dirty = true;
-    wake();
-  }
-  function wake() {
-    if (request === 0 && !view.gone) request = requestAnimationFrame(frame);
-  }
-  /// Lower quality once frames have been slow for a while, unless the address asks for one.
-  function judge(dt) {
-    slow = dt > 0.042 ? slow + 1 : Math.max(0, slow - 2);
-    if (slow < 40 || quality.asked || quality.name === "low") return;
-    slow = 0;
-    quality = { ...QUALITIES.low, asked: false };
-    buildStage();
-    setBody(view.body);
+  touch() {
+    this.dirty = true;
+    this.wake();
   }
 
-  const sizes = new ResizeObserver(resize);
-  sizes.observe(controls.box);
-  const sight = new IntersectionObserver(([entry]) => {
-    view.visible = entry.isIntersecting;
-    last = performance.now();
-    if (view.dirty) wake();
-  });
-  sight.observe(controls.box);
-  await openScene(0);
-  setCamera("follow");
-  setSpeed(1);
-  controls.setPlaying(false);
-  draw();
-  const still = window.matchMedia?.("(prefers-reduced-motion: reduce)").matches || quality.software;
-  if (!still) play();
-  wake();
+  wake() {
+    if (this.request !== 0 || this.gone) return;
+    this.request = requestAnimationFrame((now) => this.frame(now));
+  }
 
-  return {
-    destroy() {
-      view.gone = true;
-      cancelAnimationFrame(request);
-      sizes.disconnect();
-      sight.disconnect();
-      cameras.dispose();
-      stage.dispose();
-      renderer.three.dispose();
-      element.replaceChildren();
-    },
-    /// Goes to t [s] and draws.
-    seek(t) {
-      setTime(t);
-      draw();
-    },
-    play,
-    pause,
-    time: () => view.t,
-    debug: {
-      /// Height [m] at earth x, y that the texture holds for a vertex laid there, at the time
-      /// drawn.
-      surfaceAt: (x, y) => stage.surfaceAt(x, y),
-      /// The greatest difference [m] from the formula of n vertices of the fine square, as drawn.
-      worstVertex: (n = 500) => stage.worstVertex(view.t, n),
-      scene: openScene,
-      camera: setCamera,
-      cameras: cameras.state,
-      overlay: setOverlay,
-      body: setBody,
-      scenes: scenes.map(({ title }) => title),
-      state: () => ({ ...view, quality: quality.name, vertices: stage.vertices }),
-    },
-  };
-
-  async function startRenderer(canvas, host) {
-    const chosen = chooseQuality(window.location.search);
-    try {
-      const three = makeRenderer(canvas, chosen);
-      return { three, quality: chosen };
-    } catch (error) {
-      host.replaceChildren();
-      throw error;
+  frame(now) {
+    this.request = 0;
+    if (this.gone) return;
+    if (!this.drawn()) {
+      this.wake();
+      return;
     }
+    if (this.playing) this.advance(Math.min(2, (now - this.last) / 1000));
+    this.last = now;
+    if (this.dirty && this.visible) this.draw();
+    if (this.playing) this.wake();
   }
+
+  advance(dt) {
+    if (!this.visible) return;
+    this.setTime(this.t + Math.max(0, dt) * this.speed);
+    if (this.t >= this.scene.end) this.pause();
+    this.judge(dt);
+  }
+
+  /// Lowers the quality once frames have been slow for a while, unless the address asks for one.
+  judge(dt) {
+    this.slow = dt > 0.042 ? this.slow + (dt > 0.1 ? 4 : 1) : Math.max(0, this.slow - 2);
+    if (this.slow < 40 || this.quality.asked || this.quality.name === "low") return;
+    this.slow = 0;
+    this.quality = { ...this.quality, ...QUALITIES.low };
+    this.buildStage();
+    this.setBody(this.body);
+  }
+
+  destroy() {
+    this.gone = true;
+    cancelAnimationFrame(this.request);
+    for (const part of [this.sizes, this.sight]) part?.disconnect();
+    document.removeEventListener("visibilitychange", this.onVisible);
+    this.cameras.dispose();
+    this.stage?.dispose();
+    this.renderer.dispose();
+    this.element.replaceChildren();
+  }
+}
+
+/// For tests and pictures.
+function debugOf(replay) {
+  return {
+    /// Height [m] that the texture holds for a vertex laid at x, y of the earth, at the time drawn.
+    surfaceAt: (x, y) => replay.stage.surfaceAt(x, y),
+    /// The greatest difference [m] from the formula of n vertices of the fine square, as drawn.
+    worstVertex: (n = 500) => replay.stage.worstVertex(replay.t, n),
+    scenes: replay.scenes.map(({ title }) => title),
+    scene: (i) => replay.openScene(i),
+    body: (i) => replay.setBody(i),
+    camera: (kind) => replay.setCamera(kind),
+    cameras: replay.cameras.state,
+    overlay: (key, on) => replay.setOverlay(key, on),
+    state: () => ({
+      t: replay.t, playing: replay.playing, quality: replay.quality.name,
+      vertices: replay.stage.vertices, show: { ...replay.show },
+    }),
+  };
+}
+
+/// Draws the replay of `page` (data.js: readPage) in `element`. Throws where WebGL 2 with float
+/// textures is missing. `seek` has drawn when it returns.
+export async function createReplay(element, page) {
+  const replay = new Replay(element, page);
+  await replay.start();
+  return {
+    destroy: () => replay.destroy(),
+    seek(t) {
+      replay.setTime(t);
+      replay.draw();
+    },
+    play: () => replay.play(),
+    pause: () => replay.pause(),
+    time: () => replay.t,
+    debug: debugOf(replay),
+  };
 }

@@ -147,7 +147,6 @@ export function makeSums(renderer, grid, view) {
   };
 
   return {
-    target,
     texture: target.texture,
     viewTexture: viewTarget.texture,
     viewWindow: onView.material.uniforms.window.value,
@@ -186,6 +185,12 @@ export function makeSums(renderer, grid, view) {
       pass(target, onGrid);
       const out = new Float32Array(4);
       renderer.readRenderTargetPixels(target, 0, rows - 1, 1, 1, out);
+      return out;
+    },
+    /// Four numbers for each vertex of the fine square, as last drawn.
+    readFine() {
+      const out = new Float32Array(4 * width * width);
+      renderer.readRenderTargetPixels(target, 0, 0, width, width, out);
       return out;
     },
     dispose() {
