@@ -73,6 +73,7 @@ set(libraries
   "(lapacke|cblas)\\.h"                 "(hydro/bem/linear|tests/bench)/.+"
   "(bt[A-Z]|Bullet[A-Z]|LinearMath/).+"
                     "(plugin|demos|tests/(plugin|verification|consumer|bench|demos))/.+"
+  "zlib\\.h"                             "demos/report_page/.+"
   "(CLI/CLI\\.hpp|toml\\+\\+/toml\\.h)" "(demos|tests)/.+"
   "fmt/.+\\.h"                          "((hydro|plugin)/.+\\.cpp|(demos|tests)/.+)"
   "gtest/.+|gmock/.+"                   "tests/.+"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "demos/cutwater/commands/Commands.h"
-#include "demos/cutwater/commands/Listings.h"
+#include "demos/cutwater/input/WaveGrid.h"
+#include "demos/cutwater/output/ShipListing.h"
 #include "hydro/base/EnumNames.h"
 #include "hydro/base/SymmetricEigen.h"
 #include "hydro/database/ForwardSpeed.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "demos/cutwater/commands/Commands.h"
+#include "demos/cutwater/output/Messages.h"
 #include "demos/report_page/Gates.h"
 #include "demos/report_page/Json.h"
 #include "demos/report_page/RunData.h"
@@ -11,6 +11,7 @@
 #include "demos/report_page/Tables.h"
 #include "demos/report_page/Template.h"
 #include "hydro/Errors.h"
+#include "hydro/database/CoefficientsFile.h"
 
 namespace cutwater::page {
 
@@ -39,7 +40,9 @@ std::string runsJson(const std::vector<ShownRun>& runs, const Coefficients& c) {
 }  // namespace
 
 std::string pageData(const std::string& database, const std::vector<std::string>& runs) {
-  const Coefficients c = command::readDatabase(database, {});
+  std::string warning;
+  const Coefficients c = readCoefficients(database, &warning);
+  command::warn(warning);
   command::warnOfResonances(database, c);
   std::vector<ShownRun> shown;
   for (const std::string& run : runs) shown.push_back(readShownRun(run, database, c));

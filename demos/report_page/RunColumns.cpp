@@ -130,7 +130,7 @@ double scaleOf(const std::string& column, const Extent& extent) {
 
 }  // namespace
 
-ShownRun::Kind kindOf(const std::string& csv) {
+RunKind kindOf(const std::string& csv) {
   const std::vector<std::string> columns = CsvReader(csv).columns();
   const auto fits = [&](const auto& wanted) {
     return std::equal(
@@ -138,7 +138,7 @@ ShownRun::Kind kindOf(const std::string& csv) {
         columns.begin() + static_cast<std::ptrdiff_t>(std::min(columns.size(), wanted.size())),
         [](const Column& a, const std::string& b) { return a.name == b; });
   };
-  if (columns.size() == kSweep.size() && fits(kSweep)) return ShownRun::Kind::Sweep;
+  if (columns.size() == kSweep.size() && fits(kSweep)) return RunKind::Sweep;
   if (!fits(kMotions)) {
     const std::string is = columns.front() == "omega" ? "of `sweep`" : "of `simulate`";
     for (std::size_t i = 0;; ++i) {
@@ -150,7 +150,7 @@ ShownRun::Kind kindOf(const std::string& csv) {
     }
   }
   partsOf(csv, columns);
-  return ShownRun::Kind::Simulate;
+  return RunKind::Simulate;
 }
 
 void columnsJson(Json& json, const std::string& csv) {

@@ -2,14 +2,15 @@
 #include <string>
 
 #include "demos/report_page/Json.h"
-#include "demos/report_page/RunData.h"
 
 /// The rows that `simulate` and `sweep` write.
 namespace cutwater::page {
 
+enum class RunKind { Simulate, Sweep };
+
 /// Which of the two wrote this CSV, by its first line.
 /// @throws HydroError FileMalformed naming the first column that fits neither.
-ShownRun::Kind kindOf(const std::string& csv);
+RunKind kindOf(const std::string& csv);
 
 /// "columns" and "parts" of a CSV of `simulate`. It is read twice, line by line, so that a run of
 /// ten hours needs no memory but what is written.

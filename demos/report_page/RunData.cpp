@@ -5,13 +5,13 @@
 #include <cmath>
 #include <filesystem>
 
-#include "demos/cutwater/commands/Commands.h"
+#include "demos/cutwater/output/Messages.h"
 #include "demos/cutwater/output/OutputFile.h"
 #include "demos/report_page/CsvReader.h"
 #include "demos/report_page/Encoding.h"
-#include "demos/report_page/RunColumns.h"
 #include "demos/report_page/ShipData.h"
 #include "demos/report_page/Tables.h"
+#include "hydro/Errors.h"
 #include "hydro/base/EnumNames.h"
 #include "hydro/response/FrequencyResponse.h"
 
@@ -95,8 +95,7 @@ void linearJson(Json& json, const ShownRun& run) {
         model.mean == Mean::Free ? FrequencyResponse(c, {model.hullLift}, model.restrained)
                                  : FrequencyResponse(c, model.restrained, c.forwardSpeed);
     for (const double omega : omegas)
-      append(numbers,
-             command::motionOrNan(response, omega, run.file.heading, run.file.start.speed));
+      append(numbers, response.atOrNan(omega, run.file.heading, run.file.start.speed));
   } catch (const HydroError& error) {
     command::warn(run.file.path + ": no linear prediction on the page: " + error.what());
     json.null();
@@ -139,7 +138,7 @@ ShownRun readShownRun(const std::string& path, const std::string& database,
   ShownRun run;
   run.csv = csvBeside(path);
   run.kind = kindOf(run.csv);
-  const bool sweep = run.kind == ShownRun::Kind::Sweep;
+  const bool sweep = run.kind == RunKind::Sweep;
   run.file = command::readRunFile(path, sweep ? Mean::Fixed : Mean::Free, command::RunUse::Show);
   if (run.file.database.empty()) {
     run.file.database = database;
@@ -154,7 +153,7 @@ ShownRun readShownRun(const std::string& path, const std::string& database,
 
 void runJson(Json& json, const ShownRun& run, double gravity) {
   const fs::path path(run.file.path);
-  const bool sweep = run.kind == ShownRun::Kind::Sweep;
+  const bool sweep = run.kind == RunKind::Sweep;
   json.beginObject().field("name", path.stem().string()).field("file", path.filename().string());
   json.field("kind", sweep ? "sweep" : "simulate");
   bodyJson(json, run);

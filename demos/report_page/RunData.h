@@ -4,16 +4,15 @@
 
 #include "demos/cutwater/input/RunFile.h"
 #include "demos/report_page/Json.h"
+#include "demos/report_page/RunColumns.h"
 #include "hydro/database/Coefficients.h"
 
 namespace cutwater::page {
 
 /// A RUN.toml, and the CSV of the same stem beside it that `simulate` or `sweep` wrote of it.
 struct ShownRun {
-  enum class Kind { Simulate, Sweep };
-
   command::RunFile file;
-  Kind kind = Kind::Simulate;
+  RunKind kind = RunKind::Simulate;
   std::string csv;                 ///< its path
   std::optional<Coefficients> of;  ///< its ship; absent for a body that is no ship
   bool ofPage = true;              ///< that is the page's ship

@@ -2,8 +2,8 @@
 
 #include <cstdlib>
 
-#include "demos/cutwater/commands/Listings.h"
 #include "demos/cutwater/output/Messages.h"
+#include "demos/cutwater/output/ShipListing.h"
 #include "demos/report_page/Encoding.h"
 #include "demos/report_page/PanelData.h"
 #include "hydro/Errors.h"

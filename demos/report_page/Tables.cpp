@@ -8,8 +8,10 @@
 #include <limits>
 #include <optional>
 
-#include "demos/cutwater/commands/Commands.h"
+#include "demos/cutwater/input/WaveGrid.h"
+#include "demos/cutwater/output/Messages.h"
 #include "demos/report_page/Encoding.h"
+#include "hydro/Errors.h"
 #include "hydro/base/ParallelFor.h"
 #include "hydro/excitation/WaveExcitation.h"
 #include "hydro/memory/RetardationMatrix.h"
@@ -114,7 +116,7 @@ void raoJson(Json& json, const Coefficients& c, const std::string& file, double 
   }
   const CVec6 nothing = CVec6::Constant(kNan);
   const auto answers = overWaves(c, file, what, nothing, [&](double omega, double heading) {
-    return command::motionOrNan(*response, omega, heading, speed);
+    return response->atOrNan(omega, heading, speed);
   });
   if (answers.empty()) return;
   std::vector<double> numbers;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
+#include <limits>
 #include <vector>
 
 #include "hydro/Errors.h"
@@ -88,6 +89,15 @@ CVec6 FrequencyResponse::at(double omegaI, double heading, double speed) const {
   const double waveNumber = omegaI * omegaI / coefficients_.ship.gravity;
   if (lift_) lift_->push(speed, lift_->orbital(omegaI, waveNumber, heading), wave);
   return to(wave, omegaI, heading, speed);
+}
+
+CVec6 FrequencyResponse::atOrNan(double omegaI, double heading, double speed) const {
+  try {
+    return at(omegaI, heading, speed);
+  } catch (const HydroError& error) {
+    if (error.fault() != Fault::MatrixSingular) throw;
+    return CVec6::Constant(std::numeric_limits<double>::quiet_NaN());
+  }
 }
 
 CVec6 FrequencyResponse::to(const CVec6& wave, double omegaI, double heading, double speed) const {

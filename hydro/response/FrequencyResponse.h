@@ -58,6 +58,8 @@ class FrequencyResponse {
   ///         modes: a free mode has no stiffness, inertia or damping at all, as surge and sway at
   ///         ω′ = 0.
   CVec6 at(double omegaI, double heading, double speed = 0.0) const;
+  /// The same, but nan in all modes where MatrixSingular would be thrown.
+  CVec6 atOrNan(double omegaI, double heading, double speed = 0.0) const;
   /// The answer to another force than the waves' own, F(t) = Re{F e^{iω′t}} [N/m, N·m/m], at their
   /// frequency of encounter; arguments, answer and errors as of at().
   CVec6 to(const CVec6& force, double omegaI, double heading, double speed = 0.0) const;

@@ -63,6 +63,19 @@ TEST(AfloatIdentity, AShipHasTheHydrostaticsOfItsHullNotOfItsPanels) {
 }
 
 // C46 = −ρgV(x_B − x_G) is the moment that would trim the ship.
+// Of a hull and of panels alone, as a database of another code has them.
+TEST(AfloatIdentity, TheHydrostaticsOfAShipAreFoundAgain) {
+  PanelledHull hull = boxHull();
+  for (const bool whole : {false, true}) {
+    if (whole) hull.surface = bothHalves(hull.panels);
+    const Afloat made = afloat(hull, {.cog = {0.5, 0.0, 0.7}});
+    const Hydrostatics again = hydrostaticsOf(made.ship);
+    EXPECT_EQ(again.restoring, made.hydrostatics.restoring);
+    EXPECT_EQ(again.volume, made.hydrostatics.volume);
+    EXPECT_EQ(again.draft, made.hydrostatics.draft);
+  }
+}
+
 TEST(AfloatIdentity, ALevelShipHasNoMomentAtRest) {
   const FrigateDivision division = frigateDivision(224);
   const PanelledHull hull{{}, wetFrigate(division.along, division.girth), true};

@@ -11,10 +11,6 @@
 
 /// The subcommands of `cutwater`, one file each. Every one throws HydroError with the line to
 /// print; `out` is the file to write, or empty for stdout.
-namespace cutwater {
-class FrequencyResponse;
-}
-
 namespace cutwater::command {
 
 /// An option's value that no file could make right: the command exits 2 instead of 1.
@@ -81,8 +77,6 @@ std::vector<double> omegaList(const std::string& range, const std::vector<double
 /// @throws UsageError.
 std::vector<double> rangeOption(const std::string& option, const std::string& text, double largest,
                                 const std::string& example);
-/// The wave frequencies at which tables are written by default.
-const std::vector<double>& defaultWaveOmega(const Coefficients& coefficients);
 /// The database; prints the warning of a foreign file.
 /// @throws HydroError; UsageError for a speed outside 0..100 m/s.
 Coefficients readDatabase(const std::string& path, const SpeedOptions& moving);
@@ -91,9 +85,6 @@ Vec3 vectorOption(const std::string& option, const std::string& text);
 /// Refuses work whose results do not fit into three quarters of this machine's memory.
 /// @param what  begins the message, naming fields and values.  @throws HydroError ValueOutOfRange.
 void requireMemory(const std::string& what, double bytes);
-/// `response.at` [m/m, rad/m], nan where nothing bounds the motion.
-/// @throws HydroError as FrequencyResponse::at otherwise.
-CVec6 motionOrNan(const FrequencyResponse& response, double omega, double heading, double speed);
 /// β [rad] of a --heading in degrees. @throws UsageError beyond two turns.
 double headingRadians(double degrees);
 

@@ -4,13 +4,11 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 #include "demos/cutwater/commands/Commands.h"
 #include "hydro/Errors.h"
 #include "hydro/base/EnumNames.h"
 #include "hydro/database/CoefficientsFile.h"
-#include "hydro/response/FrequencyResponse.h"
 
 namespace cutwater::command {
 
@@ -97,10 +95,6 @@ std::vector<double> rangeOption(const std::string& option, const std::string& te
   return *values;
 }
 
-const std::vector<double>& defaultWaveOmega(const Coefficients& coefficients) {
-  return coefficients.waveOmega.empty() ? coefficients.omega : coefficients.waveOmega;
-}
-
 Coefficients readDatabase(const std::string& path, const SpeedOptions& moving) {
   if (!(std::abs(moving.speed) <= 100.0)) {
     throw UsageError(fmt::format("--speed {}: must be in -100..100 m/s", moving.speed));
@@ -148,15 +142,6 @@ double headingRadians(double degrees) {
     throw UsageError(fmt::format("--heading {}: must be in -720..720 degrees", degrees));
   }
   return degrees * kPi / 180.0;
-}
-
-CVec6 motionOrNan(const FrequencyResponse& response, double omega, double heading, double speed) {
-  try {
-    return response.at(omega, heading, speed);
-  } catch (const HydroError& error) {
-    if (error.fault() != Fault::MatrixSingular) throw;
-    return CVec6::Constant(std::numeric_limits<double>::quiet_NaN());
-  }
 }
 
 }  // namespace cutwater::command

@@ -1,4 +1,5 @@
 #include "demos/cutwater/commands/Commands.h"
+#include "demos/cutwater/input/WaveGrid.h"
 #include "demos/cutwater/output/Csv.h"
 #include "hydro/excitation/WaveExcitation.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "demos/cutwater/commands/Commands.h"
-#include "demos/cutwater/commands/Listings.h"
+#include "demos/cutwater/output/ShipListing.h"
 #include "hydro/base/CsvRow.h"
 #include "hydro/base/EnumNames.h"
 #include "hydro/database/CoefficientsFile.h"
@@ -18,23 +18,6 @@
 namespace cutwater::command {
 
 namespace {
-
-// An axis of the ship in the file's: by name where it is one of them.
-std::string axisText(const Vec3& axis) {
-  for (int i = 0; i < 3; ++i) {
-    if (axis == Vec3::Unit(i)) return std::string(1, "xyz"[i]);
-    if (axis == -Vec3::Unit(i)) return std::string("-") + "xyz"[i];
-  }
-  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", axis.x(), axis.y(), axis.z());
-}
-
-// The hull file's own axes, unit and origin, as the ship was solved with.
-void listFile(Listing& rows, const FilePlacement& file) {
-  rows.add("file_up", axisText(file.rotation.row(2)));
-  rows.add("file_forward", axisText(file.rotation.row(0)));
-  rows.add("file_unit", file.metresPerUnit, "m");
-  for (int i = 0; i < 3; ++i) rows.add(std::string("file_origin_") + "xyz"[i], file.origin[i], "m");
-}
 
 // Where the coefficients may not be taken as solved: mask, its envelopes, condition numbers.
 void listMask(Listing& rows, const Coefficients& c) {
@@ -99,50 +82,6 @@ void listMemory(Listing& rows, const Coefficients& c) {
 }
 
 }  // namespace
-
-void listShip(Listing& rows, const ShipParticulars& ship) {
-  rows.add("ship", ship.name);
-  rows.add("mass", ship.mass, "kg");
-  const char* axes[3] = {"x", "y", "z"};
-  for (int i = 0; i < 3; ++i) rows.add(std::string("cog_") + axes[i], ship.cog[i], "m");
-  const char* about[3] = {"roll", "pitch", "yaw"};
-  for (int i = 0; i < 3; ++i) rows.add(std::string("gyradius_") + about[i], ship.gyradii[i], "m");
-  rows.add("volume", ship.volume, "m^3");
-  rows.add("density", ship.density, "kg/m^3");
-  rows.add("gravity", ship.gravity, "m/s^2");
-  rows.add("symmetric", ship.symmetric ? 1 : 0);
-  listFile(rows, ship.file);
-  rows.add("wet_panels_stored", static_cast<double>(ship.wetSurface.faces.size()));
-  rows.add("hull_faces", static_cast<double>(ship.hull.faces.size()));
-  for (int i = 0; i < 6; ++i) {
-    const std::string mode = kModeNames[i];
-    if (ship.supplementary.damping[i] != 0.0) {
-      rows.add(mode + "_damping", ship.supplementary.damping[i], i < 3 ? "N/(m/s)" : "N m/(rad/s)");
-    }
-    if (ship.supplementary.stiffness[i] != 0.0) {
-      rows.add(mode + "_stiffness", ship.supplementary.stiffness[i], i < 3 ? "N/m" : "N m/rad");
-    }
-  }
-  rows.add("roll_damping_quadratic", ship.supplementary.rollDampingQuadratic, "N m/(rad/s)^2");
-  rows.add("cross_flow_drag", ship.drag.crossFlow);
-  rows.add("form_factor", ship.drag.formFactor);
-  rows.add("engine", ship.engine ? "1" : "0");
-  rows.add("rudder", ship.rudder ? "1" : "0");
-}
-
-double infinityDifference(const Coefficients& c) {
-  if (!c.hasConsistentLimit()) return 0.0;
-  const Vec6 size = c.addedMass.atInfinity.diagonal().cwiseSqrt();
-  const Mat6 difference = c.addedMassInfDirect - c.addedMass.atInfinity;
-  return 100.0 * difference.cwiseQuotient(size * size.transpose()).cwiseAbs().maxCoeff();
-}
-
-double solversAsymmetry(const Coefficients& c, const std::string& name,
-                        const OverFrequency<Mat6>& table) {
-  std::string told = c.provenance.setting(name + "_asymmetry_resolved");
-  if (told.empty()) told = c.provenance.setting(name + "_asymmetry");  // as 0.1.0 wrote it
-  return 100.0 * (told.empty() ? asymmetry(table) : std::strtod(told.c_str(), nullptr));
-}
 
 void info(const std::string& database, const std::string& out) {
   std::string warning;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "demos/cutwater/commands/Commands.h"
+#include "demos/cutwater/input/WaveGrid.h"
 #include "demos/cutwater/output/Csv.h"
 #include "hydro/Errors.h"
 #include "hydro/database/ChangeOfLoading.h"
@@ -50,7 +51,7 @@ void rao(const std::string& database, const WaveOptions& options, const LoadingO
   const auto add = [&](double omega) {
     const double met = encounterFrequency(omega, speed, heading, coefficients.ship.gravity);
     if (speed != 0.0 && std::abs(met) < kLeastEncounterFrequency) ++slow;
-    const CVec6 eta = motionOrNan(*response, omega, heading, speed);
+    const CVec6 eta = response->atOrNan(omega, heading, speed);
     for (int j = 0; j < 6; ++j) {
       csv.row({omega, met, j + 1.0, std::abs(eta[j]), phaseDegrees(eta[j])});
     }
