@@ -23,7 +23,8 @@ export function shapeOf(body) {
   const { points, faces } = body.hull;
   const arrays = hullArrays(points, faces);
   const [main] = arrays.parts;
-  const length = main.high[0] - main.low[0];
+  const size = main.high.map((v, i) => v - main.low[i]);
+  const length = Math.max(size[0], size[1]);
   const calm = -body.cogZ;
   const mainFaces = Uint32Array.from(
     main.faces.flatMap((f) => [0, 1, 2].map((k) => faces[3 * f + k])),
@@ -34,7 +35,9 @@ export function shapeOf(body) {
     .filter(Number.isFinite);
   const top = heights.length ? Math.min(...heights) : main.high[2];
   const freeboard = Math.max(0.02 * length, top - calm);
-  if (body.box) arrays.paint.fill(PAINT.box);
+  // A box as thin as a link of a chain is dark.
+  const thin = length > 8 * Math.max(Math.min(size[0], size[1]), size[2]);
+  if (body.box) arrays.paint.fill(thin ? PAINT.dark : PAINT.box);
   const ownHouses = arrays.parts.length > 1;
   const decoration = body.box || ownHouses ? null : decorate(main, points, mainFaces);
   const eye = decoration?.eye ?? eyeOn(arrays.parts, deck);
@@ -103,8 +106,8 @@ export class DrawnBody {
     const yaw = (pose.yaw * Math.PI) / 180;
     place.set(middle.x, middle.y, Math.cos(yaw), Math.sin(yaw));
     const brightness = [0.1, 0.34, 0.12, 0.08][colours];
-    size.set(0.49 * length, 0.5 * (main.high[1] - main.low[1]), freeboard + 0.04 * length,
-      brightness);
+    const half = [0, 1].map((i) => 0.5 * (main.high[i] - main.low[i]));
+    size.set(0.98 * half[0], half[1], freeboard + 0.04 * length, brightness);
   }
 
   /// Which overlays lie on the hull; `top` [kPa] ends the scale.

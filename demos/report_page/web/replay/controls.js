@@ -14,8 +14,8 @@ function takesKey({ tagName, type }, key) {
   return type === "range" && key.startsWith("Arrow");
 }
 
-/// act: functions {toggle, seek, speed, camera, overlay, scene, body, gain, key} that are called with
-/// the user's wishes; key says whether it knew the key. scenes: names.
+/// act: functions {toggle, seek, speed, camera, overlay, scene, body, gain, key} that are called
+/// with the user's wishes; key says whether it knew the key. scenes: names.
 export function makeControls(root, scenes, act) {
   const canvas = make("canvas", { tabindex: "0", role: "img", "aria-label": LABEL });
   const full = () =>

@@ -1,5 +1,5 @@
-// What the cameras need to know of a scene and what the picture needs to know of a camera: the course
-// that is followed, what is in view, a length that fits.
+// What the cameras need to know of a scene and what the picture needs to know of a camera: the
+// course that is followed, what is in view, a length that fits.
 import * as THREE from "three";
 import { niceAbove } from "./pressure.js";
 

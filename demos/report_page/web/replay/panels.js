@@ -1,4 +1,5 @@
-// What the replay shows in words and numbers over its picture: readouts, the scene, legends, a rule.
+// What the replay shows in words and numbers over its picture: readouts, the scene, legends, a
+// rule.
 import { make, setText } from "./dom.js";
 
 const READOUTS = [

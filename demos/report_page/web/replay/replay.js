@@ -24,16 +24,27 @@ function makeRenderer(canvas, quality) {
   throw new Error("this browser's WebGL cannot draw into float textures (EXT_color_buffer_float)");
 }
 
+/// Names of two runs, or of the first ship and how many more.
+function titleOf(runs) {
+  const names = runs.map(({ name }) => name);
+  if (names.length < 3) return names.join(", ");
+  const { name } = runs.find(({ body }) => !body) ?? runs[0];
+  return `${name} and ${names.length - 1} more`;
+}
+
 /// Names and makers of all scenes of a page.
 function listScenes(page) {
   const groups = groupRuns(page.runs ?? []);
   if (groups.length > 0) {
     return groups.map((runs) => ({
-      title: runs.map(({ name }) => name).join(", "), make: () => sceneOfRuns(runs, page),
+      title: titleOf(runs), make: () => sceneOfRuns(runs, page),
     }));
   }
   return scenesWithoutRuns(page).map((scene) => ({ title: scene.title, make: async () => scene }));
 }
+
+/// v with d decimals, without a sign of zero.
+const fixed = (v, d) => v.toFixed(d).replace(/^-(0(\.0*)?)$/, "$1");
 
 const clamp = (v, low, high) => Math.min(high, Math.max(low, v));
 
@@ -110,7 +121,7 @@ class Replay {
     this.controls.about.setScene(index, bodies.map(({ name }) => name), scene.seaText);
     this.controls.setNote(
       [...faults.map((f) => `Not shown: ${f}.`), note || OF_THE_RUN, NOTE].join(" "));
-    this.setBody(0);
+    this.setBody(Math.max(0, bodies.findIndex(({ box }) => !box)));
   }
 
   buildStage() {
@@ -217,10 +228,10 @@ class Replay {
     const [x, y, z] = pose.position;
     controls.bar.setTime(t, scene.end);
     controls.readout.set({
-      t: t.toFixed(1), heave: (z - scene.bodies[this.body].cogZ).toFixed(2),
-      roll: pose.roll.toFixed(1), pitch: pose.pitch.toFixed(1),
+      t: t.toFixed(1), heave: fixed(z - scene.bodies[this.body].cogZ, 2),
+      roll: fixed(pose.roll, 1), pitch: fixed(pose.pitch, 1),
       speed: Number.isFinite(speed) ? speed.toFixed(1) : "–",
-      zeta: elevation(scene.sea, t, x, y).toFixed(2),
+      zeta: fixed(elevation(scene.sea, t, x, y), 2),
     });
     controls.rule.set(rule);
     controls.legend.set(legend);

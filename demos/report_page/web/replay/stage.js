@@ -73,6 +73,9 @@ export class Stage {
     const draught = Math.max(...this.shapes.map(({ main, calm }) => calm - main.low[2]));
     this.topPressure = niceAbove(
       (scene.density * sea.gravity * (draught + 0.55 * scene.hs)) / 1000);
+    /// Bodies, the largest first: those that the water mirrors.
+    this.bySize = bodies.map((_, i) => i).sort((a, b) =>
+      this.shapes[b].length - this.shapes[a].length);
     this.show = {};
     this.inView = 0;
     this.gain = 4;
@@ -152,7 +155,8 @@ export class Stage {
     bodies.value = Math.min(MAX_BODIES, this.drawn.length);
     this.drawn.forEach((body, i) => {
       body.place(poses[i], this.origin);
-      if (i < MAX_BODIES) body.mirror(poses[i], bodyPlaces.value[i], bodySizes.value[i]);
+      const rank = this.bySize.indexOf(i);
+      if (rank < MAX_BODIES) body.mirror(poses[i], bodyPlaces.value[rank], bodySizes.value[rank]);
       if (this.show.pressure) body.setPressures(poses[i], this.scene.sea, t, this.scene.density);
     });
   }
