@@ -10,6 +10,7 @@ const { makeTrack, quaternion, rotate, rowAt, slerp } = await from("motion");
 const { filterCell, fineSquare, gridLevels, makeGrid } = await from("grid");
 const { connectedParts, creasedNormals } = await from("mesh");
 const { niceAbove, pressures } = await from("pressure");
+const { decorate, makeDeck } = await from("decoration");
 const { answersAt, boxHull, groupRuns, hullOf, sceneOfRuns, scenesWithoutRuns } =
   await from("scenes");
 
@@ -203,4 +204,24 @@ test("without a closed hull the panels are shown, one side mirrored, without the
   assert.deepEqual(Array.from(hull.faces.slice(9, 12)), [7, 6, 5]);
   assert.equal(hull.points[15 + 7], -1);
   assert.throws(() => hullOf({}), /neither a closed hull nor panels/);
+});
+
+test("decoration stands on the deck of a long hull, and none on a barge", () => {
+  const of = (size) => {
+    const { points, faces } = boxHull(size);
+    return [connectedParts(points, faces)[0], points, faces];
+  };
+  assert.equal(decorate(...of([20, 15, 4])), null);
+  for (const [length, beam, depth] of [[124, 15, 10], [30, 8, 4]]) {
+    const hull = of([length, beam, depth]);
+    near(makeDeck(hull[1], hull[2]).heightAt(0.3 * length, 0.2 * beam), 0.5 * depth, 1e-9);
+    const { position, normal, paint, band, eye } = decorate(...hull);
+    assert.deepEqual([normal.length, 3 * paint.length, 1.5 * band.length],
+      [position.length, position.length, position.length]);
+    for (let i = 0; i < position.length; i += 3) {
+      assert.ok(Math.abs(position[i]) <= 0.51 * length && position[i + 2] > 0.4 * depth);
+      near(Math.hypot(...normal.subarray(i, i + 3)), 1, 1e-5);
+    }
+    assert.ok(eye[2] > 0.5 * depth + 1.5, "the bridge sees over the deck");
+  }
 });
