@@ -19,8 +19,8 @@ enum class WaveLoad { FroudeKrylov, Diffraction };
 /// What columns and settings call them.
 inline constexpr const char* kWaveLoadNames[2] = {"froude_krylov", "diffraction"};
 
-/// What all ships of one Hydrodynamics share in one sea. Seaway makes and keeps it; it can be
-/// exchanged for that of another sea. Its loads are kept by the Hydrodynamics. Any thread may call.
+/// What all ships of one Hydrodynamics share in one sea. Seaway makes and keeps it. Its loads are
+/// kept by the Hydrodynamics. Any thread may call.
 class SeaTables {
  public:
   /// @throws HydroError BadArgument: a null pointer.
