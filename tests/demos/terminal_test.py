@@ -77,9 +77,10 @@ class Terminal(unittest.TestCase):
         lines = shown.split("\r\x1b[K")[1:]
         self.assertTrue(lines)
         for line in lines:
-            self.assertRegex(line, r"^simulate: \d+ of 300 s, \S+ x real time, roll -?\d+\.\d "
-                                   r"pitch -?\d+\.\d deg, heave -?\d+\.\d\d m, \d+ s left")
-        self.assertIn("simulate: 300 of 300 s", lines[-1])
+            self.assertRegex(line, r"^t = \d+/300 s, \d+x real time, \d+ s left, roll -?\d+\.\d "
+                                   r"pitch -?\d+\.\d deg, heave -?\d+\.\d\d m")
+            self.assertLess(len(line.strip()), 80)
+        self.assertIn("t = 300/300 s", lines[-1])
         self.assertTrue(shown.endswith("\n"))
 
     def test_a_sweep_shows_one_line(self):

@@ -123,15 +123,15 @@ void placeShip(const RunFile& run, const std::shared_ptr<const Hydrodynamics>& s
   }
 }
 
-// "123 of 600 s, 58 x real time, roll 3.1 pitch -0.4 deg, heave 0.52 m"
-std::string stateText(RunShip& world, const RunFile& run, double elapsed) {
+// "t = 123/600 s, 58x real time, 8 s left, roll 3.1 pitch -0.4 deg, heave 0.52 m": 80 columns.
+std::string stateText(RunShip& world, const RunFile& run, double elapsed, double left) {
   const Ship& ship = world.ship();
   const double time = world.seaway().time();
   const Vec3 degrees = ship.attitude() * (180.0 / kPi);
   return fmt::format(
-      "{:.0f} of {:.0f} s, {:.3g} x real time, roll {:.1f} pitch {:.1f} deg, "
-      "heave {:.2f} m",
-      time, run.duration, elapsed > 0.0 ? time / elapsed : 0.0, degrees.x(), degrees.y(),
+      "t = {:.0f}/{:.0f} s, {:.0f}x real time, {:.0f} s left, roll {:.1f} pitch {:.1f} deg, heave "
+      "{:.2f} m",
+      time, run.duration, elapsed > 0.0 ? time / elapsed : 0.0, left, degrees.x(), degrees.y(),
       ship.position().z() - ship.hydrodynamics().ship().cog.z());
 }
 
@@ -140,8 +140,9 @@ void stepAll(const RunFile& run, const Recorder& recorder, RunShip& world, std::
   Progress progress("simulate", Progress::Elsewhere::Nothing);
   while (recorder.rows() < rows && !world.broken()) {
     world.step();
-    progress.show(static_cast<int>(std::min(recorder.rows(), rows)), static_cast<int>(rows),
-                  [&](double elapsed) { return stateText(world, run, elapsed); });
+    progress.show(
+        static_cast<int>(std::min(recorder.rows(), rows)), static_cast<int>(rows),
+        [&](double elapsed, double left) { return stateText(world, run, elapsed, left); });
   }
 }
 

@@ -162,8 +162,9 @@ std::vector<WaveRun> runAll(const RunFile& run, const std::shared_ptr<const Hydr
   parallelFor(results.size(), threads, [&](std::size_t i) {
     results[i] = motionInBullet(run, ship, i);
     const int now = ++done;
-    progress.show(now, total, [=](double elapsed) {
-      return fmt::format("{}/{} frequencies, {:.0f} s", now, total, elapsed);
+    progress.show(now, total, [=](double elapsed, double left) {
+      return fmt::format("sweep: {}/{} frequencies, {:.0f} s, {:.0f} s left", now, total, elapsed,
+                         left);
     });
   });
   return results;

@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 #include "demos/cutwater/output/Messages.h"
 #include "demos/cutwater/output/OutputFile.h"
@@ -35,13 +37,28 @@ std::string inOneLine(std::string text) {
   return printable(text, text.size());
 }
 
-// Numbers as people read them: six digits tell a ship.
-std::string shortNumber(const std::string& value) {
+// Of 4595557 "4 595 557".
+std::string inThousands(std::string digits) {
+  const std::size_t first = digits.starts_with('-') ? 1 : 0;
+  for (std::size_t i = digits.size(); i > first + 3;) digits.insert(i -= 3, 1, ' ');
+  return digits;
+}
+
+bool isNumber(const std::string& value, double& number) {
   char* end = nullptr;
-  const double number = std::strtod(value.c_str(), &end);
-  const bool whole = value.find_first_of(".e") == std::string::npos;
-  if (value.empty() || *end != '\0' || whole) return value;
-  return fmt::format("{:.6g}", number);
+  number = std::strtod(value.c_str(), &end);
+  return !value.empty() && *end == '\0';
+}
+
+// Numbers as people read them: six digits tell a ship, and what is left of a zero is none.
+std::string forPeople(const std::string& value) {
+  double number = 0.0;
+  if (!isNumber(value, number) || !std::isfinite(number)) return value;
+  constexpr double kNothing = 1e-12, kSmall = 1e-4, kLong = 1e5, kMost = 1e15;
+  const double size = std::abs(number);
+  if (size < kNothing) return "0";
+  if (size >= kLong && size < kMost) return inThousands(fmt::format("{:.0f}", number));
+  return size < kSmall ? fmt::format("{:.3g}", number) : fmt::format("{:.6g}", number);
 }
 
 }  // namespace
@@ -72,11 +89,12 @@ std::string Listing::aligned() const {
   for (const Row& row : rows_) name = std::max(name, row.name.size());
   std::string text;
   for (const Row& row : rows_) {
-    const std::vector<std::string> pieces = folded(shortNumber(inOneLine(row.value)));
+    const std::vector<std::string> pieces = folded(forPeople(inOneLine(row.value)));
+    double number = 0.0;  // words have no unit
+    const std::string unit = isNumber(row.value, number) && !row.unit.empty() ? " " + row.unit : "";
     for (const std::string& piece : pieces) {
       const bool first = &piece == &pieces.front(), last = &piece == &pieces.back();
-      text += fmt::format("{:<{}}  {}{}\n", first ? row.name : "", name, piece,
-                          last && !row.unit.empty() ? " " + row.unit : "");
+      text += fmt::format("{:<{}}  {}{}\n", first ? row.name : "", name, piece, last ? unit : "");
     }
   }
   return text;

@@ -35,7 +35,7 @@ bool Progress::due(bool last, Clock::time_point now) const {
   return last || sinceLast.count() >= (terminal_ ? 0.2 : 10.0);
 }
 
-void Progress::show(int done, int total, const std::function<std::string(double)>& state) {
+void Progress::show(int done, int total, const Line& line) {
   if (silent_) return;
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto now = Clock::now();
@@ -49,11 +49,11 @@ void Progress::show(int done, int total, const std::function<std::string(double)
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const int since = done - before_;
   const double left = since > 0 ? elapsed * (total - done) / since : 0.0;
-  const std::string line = fmt::format(
-      "{}: {}, {:.0f} s left", what_,
-      state ? state(elapsed) : fmt::format("{}/{}, {:.0f} s", done, total, elapsed), left);
+  const std::string text =
+      line ? line(elapsed, left)
+           : fmt::format("{}: {}/{}, {:.0f} s, {:.0f} s left", what_, done, total, elapsed, left);
   // A stderr that is closed or full stops no work.
-  std::fputs((terminal_ ? "\r\x1b[K" + cutToTerminal(line) : line + "\n").c_str(), stderr);
+  std::fputs((terminal_ ? "\r\x1b[K" + cutToTerminal(text) : text + "\n").c_str(), stderr);
   std::fflush(stderr);
 }
 

@@ -24,9 +24,10 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   /// @param done  of `total`; the first call says what was done before.
-  /// @param state what stands in the line instead of "done/total, elapsed"; asked only when the
-  ///              line is written.  @param elapsed [s]
-  void show(int done, int total, const std::function<std::string(double elapsed)>& state = {});
+  /// @param line  the whole line instead of "what: done/total, 3 s, 5 s left", of the seconds spent
+  ///              and left; asked only when it is written.
+  using Line = std::function<std::string(double elapsed, double left)>;
+  void show(int done, int total, const Line& line = {});
 
  private:
   using Clock = std::chrono::steady_clock;
