@@ -191,12 +191,15 @@ test("the page in a browser", { skip: findBrowser() ? false : "no Chromium" }, a
   });
   await t.test("keys play and pause", async () => {
     await browser.run("document.querySelector('#replay-view canvas').focus()");
-    const before = await browser.run("window.cutwater.replay.time()");
+    await browser.run("window.cutwater.replay.seek(10)");
     await browser.press(" ", "Space");
-    await new Promise((resolve) => setTimeout(resolve, 3000));
+    let time = 10;
+    for (let i = 0; i < 60 && time === 10; ++i) {
+      await new Promise((resolve) => setTimeout(resolve, 500));
+      time = await browser.run("window.cutwater.replay.time()");
+    }
     await browser.press(" ", "Space");
-    const after = await browser.run("window.cutwater.replay.time()");
-    assert.notEqual(after, before);
+    assert.ok(time > 10, "it does not play");
   });
   await t.test("light, dark and narrow", async () => {
     if (full) await picturesOf(browser, "light", 1280);
