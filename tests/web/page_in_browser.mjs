@@ -1,8 +1,8 @@
 // page_in_browser.mjs CUTWATER DATABASE.h5 FOLDER [make]: opens FOLDER/report.html, the page that
-// ./run demo or `make` leaves there, in headless Chromium as a reader does. Its console stays silent
-// and nothing is asked of a network; its plots hold what the CSV files beside it and the command say; the sea of its replay
-// is that of the run to a millimetre; keys and colour schemes work. Pictures are left in
-// FOLDER/pictures, with CUTWATER_FULL of the whole page.
+// ./run demo or `make` leaves there, in headless Chromium as a reader does. Its console stays
+// silent and nothing is asked of a network. Its plots hold what the CSV files beside it and the
+// command say. The sea of its replay is that of the run to a millimetre. Keys and colour schemes
+// work. Pictures are left in FOLDER/pictures, with CUTWATER_FULL of the whole page.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -217,7 +217,8 @@ test("the page in a browser", { skip: findBrowser() ? false : "no Chromium" }, a
   await t.test("nothing is complained of", () => assert.deepEqual(browser.complaints, []));
 });
 
-test("without WebGL a line says why", { skip: findBrowser() ? false : "no Chromium" }, async (t) => {
+const without = findBrowser() ? false : "no Chromium";
+test("without WebGL a line says why", { skip: without }, async (t) => {
   const browser = await Browser.start({ webgl: false });
   t.after(() => browser.close());
   await open(browser);
