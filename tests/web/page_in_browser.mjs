@@ -151,6 +151,21 @@ async function checkCoefficients(browser) {
   same(values, finite.map((i) => csv.A[i]), 1e-6, "A33");
 }
 
+// The report's figures are built when they are opened. Figure 17 is B33 over Δ√(g/L).
+async function checkReport(browser) {
+  await browser.run("document.getElementById('report-figures').open = true");
+  let got = null;
+  for (let i = 0; i < 60 && got === null; ++i) {
+    await new Promise((resolve) => setTimeout(resolve, 500));
+    got = await plot(browser, "report-36") && await plot(browser, "report-17");
+  }
+  assert.ok(got, "the report's figures are not built");
+  const { mass, gravity, length } = await browser.run("(({ mass, gravity, length }) => "
+    + "({ mass, gravity, length }))(window.cutwater.page.ship)");
+  const unit = mass * Math.sqrt(gravity / length), B = await plot(browser, "B33");
+  same(got.series[0].values.map((value) => value * unit), B.series[0].values, 1e-9, "Figure 17");
+}
+
 // The texture that the surface is drawn from, at the place of the ship, against the CSV.
 async function checkSea(browser) {
   const csv = fromFile("run.csv");
@@ -184,6 +199,7 @@ test("the page in a browser", { skip: findBrowser() ? false : "no Chromium" }, a
   await t.test("plots hold what the CSV files say", () => checkRuns(browser));
   await t.test("motions are the command's", () => checkMotions(browser));
   await t.test("coefficients are the command's", () => checkCoefficients(browser));
+  await t.test("the report's figures are in its units", () => checkReport(browser));
   await t.test("the drawn sea is the run's", async () => {
     const seconds = await checkSea(browser);
     t.diagnostic(`a seek and its picture: ${seconds.map((s) => s.toFixed(1)).join(", ")} s`);

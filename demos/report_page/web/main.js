@@ -4,6 +4,7 @@ import { coefficients } from "./plots/coefficients.js";
 import { h, missing } from "./plots/dom.js";
 import { gates } from "./plots/gates.js";
 import { motions } from "./plots/motions.js";
+import { reportFigures } from "./plots/report.js";
 import { runs } from "./plots/runs.js";
 import { seaway } from "./plots/seaway.js";
 import { ship } from "./plots/ship.js";
@@ -18,6 +19,7 @@ const SECTIONS = [
   ["seaway", "In a seaway", seaway],
   ["runs", "Runs", runs],
   ["coefficients", "Coefficients", coefficients],
+  ["report", "The report's figures", reportFigures],
 ];
 
 const breathe = () => new Promise((done) => setTimeout(done));

@@ -45,8 +45,9 @@ export class Figure {
   /**
    * @param spec {id, title, note, x: {label, symbol, unit, range, show, ticksWithUnit},
    *   y: {label, unit, range, exponent, incrs, tight, least, include}, height, empty, wide,
-   *   legend, marks, lines: [{label, group, x, y, colour, dash, points, width}]}
+   *   legend, marks, bands, lines: [{label, group, x, y, colour, dash, points, width}]}
    *   marks: [{x, label, kind: "limit" | "masked"}] upright lines, {y, label} level ones;
+   *   bands: [{from, to}] faint level strips, such as limits;
    *   lines of one `group` share a label in the legend. Of plots with a zoom in common besides
    *   sync: the key of their cursor, onzoom(from, to), zoom(by), all(), onfit().
    */
@@ -146,7 +147,8 @@ export class Figure {
         incrs: y.incrs })],
       series: [{}, ...this.lines.map((line, i) => this.series(line, i))],
       hooks: {
-        draw: [(plot) => this.drawMarks(plot)], setCursor: [(plot) => this.read(plot)],
+        drawClear: [(plot) => this.drawBands(plot)], draw: [(plot) => this.drawMarks(plot)],
+        setCursor: [(plot) => this.read(plot)],
         setSelect: [(plot) => this.selected(plot)],
       },
     };
@@ -234,6 +236,23 @@ export class Figure {
         this.exponent)}` });
     });
     return [...found.values()];
+  }
+
+  drawBands({ ctx, bbox, valToPos }) {
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+    ctx.clip();
+    ctx.fillStyle = colour("--band");
+    ctx.strokeStyle = colour("--rule");
+    ctx.lineWidth = devicePixelRatio;
+    for (const { from, to } of this.spec.bands ?? []) {
+      const [high, low] = [to, from].map((y) => Math.min(bbox.top + bbox.height,
+        Math.max(bbox.top, valToPos(y, "y", true))));
+      ctx.fillRect(bbox.left, high, bbox.width, low - high);
+      ctx.strokeRect(bbox.left - 2, high, bbox.width + 4, low - high);
+    }
+    ctx.restore();
   }
 
   drawMarks(plot) {
