@@ -34,7 +34,7 @@ constexpr std::array<FaultRow, 16> kFaults{{
     {kGravityChanged, "kGravityChanged",
      "the world's gravity is not the database's, or does not point down"},
     {kAttitudeOutsideTheory, "kAttitudeOutsideTheory",
-     "the ship was tilted more than linear theory, of its waves at least, can carry"},
+     "the ship was tilted further than the theory of its radiation and diffraction goes"},
     {kOutOfWater, "kOutOfWater", "the whole hull was above the waves, or below them"},
     {kFarFromCourse, "kFarFromCourse",
      "the ship was far from the mean place where its waves are taken"},

@@ -48,7 +48,9 @@ void checkGravity(const btVector3& gravity, const WorldFrame& frame, double righ
   };
   if (!(down >= 0.0 && sideways <= 1e-6 * down)) {
     refuse(std::string("must point down (along -") +
-           (frame.up == WorldFrame::Up::Z ? "z" : "y, as WorldFrame says") + ") or be zero");
+           (frame.up == WorldFrame::Up::Z ? "z; in a world with y up give WorldFrame::Up::Y"
+                                          : "y, as WorldFrame says") +
+           ") or be zero");
   }
   if (down == 0.0 || gravityFits(gravity, frame, right)) return;
   std::ostringstream line;

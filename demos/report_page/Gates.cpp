@@ -166,8 +166,9 @@ void stability(std::vector<Gate>& gates, const Coefficients& c) {
     Gate found{name, to, "m/s", to, !limit.speed.has_value(), {}};
     if (limit.speed) {
       found.value = *limit.speed;
-      found.advice = describe(limit, astern) +
-                     ": go slower, restrain that mode, or solve with forward_speed = \"tuck\"";
+      const bool tuck = c.forwardSpeed == ForwardSpeedForm::Tuck;
+      found.advice = describe(limit, astern) + ": go slower, or restrain that mode" +
+                     (tuck ? "" : ", or solve with forward_speed = \"tuck\"");
     }
     gates.push_back(found);
   };

@@ -4,6 +4,7 @@
 #include <exception>
 #include <initializer_list>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "demos/scenes/BulletWorld.h"
@@ -78,13 +79,15 @@ int demoMain(int argc, char** argv, const std::string& name, const char* header,
 
 /// Heave, roll and pitch at rest of a ship that carries `mass` [kg] at a place about G [m] fixed to
 /// the ship, by its hull: where ship and cargo as one ship have no righting lever.
-/// @throws std::bad_optional_access if they have no such place but keel up.
+/// @throws std::runtime_error if they have no such place but keel up.
 inline Vec6 carrying(const ShipParticulars& ship, double mass, const Vec3& place) {
   ShipParticulars loaded = ship;
   loaded.mass += mass;
   loaded.cog += mass / loaded.mass * place;
   Righting righting(loaded, RightingTrim::Free);
-  const RightingLever rest = righting.at(stabilityRange(righting, kPi).rest.value());
+  const auto heel = stabilityRange(righting, kPi).rest;
+  if (!heel) throw std::runtime_error("this ship does not carry it upright; take the frigate");
+  const RightingLever rest = righting.at(*heel);
   Vec6 motion = Vec6::Zero();
   motion[Roll] = rest.heel;
   motion[Pitch] = rest.trim;

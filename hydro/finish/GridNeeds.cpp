@@ -100,7 +100,7 @@ std::vector<std::string> dampingWarnings(const CoefficientTables& c) {
   for (const NegativeDamping& negative : negativeDampings(c))
     lines.push_back(
         fmt::format("the panels do not carry the damping in {} near {:.3g} rad/s, where it is "
-                    "{:.2g} % of its largest: use a finer mesh",
+                    "{:.2g} % of its largest: use a finer mesh, or end [solve] omega below that",
                     kModeNames[negative.mode], negative.omega, 100.0 * negative.share));
   return lines;
 }

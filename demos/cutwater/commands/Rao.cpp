@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "demos/cutwater/commands/Commands.h"
 #include "demos/cutwater/input/WaveGrid.h"
 #include "demos/cutwater/output/Csv.h"
 #include "hydro/Errors.h"
 #include "hydro/database/ChangeOfLoading.h"
+#include "hydro/memory/SpeedStability.h"
 #include "hydro/response/FrequencyResponse.h"
 #include "hydro/waves/Wave.h"
 
@@ -16,6 +19,13 @@ namespace {
 std::optional<Vec3> given(const std::string& option, const std::string& text) {
   if (text.empty()) return {};
   return vectorOption(option, text);
+}
+
+// A ship on a fixed course at a speed at which its own motions grow has no steady answer.
+void warnIfUnstable(const std::string& database, const Coefficients& c, double speed) {
+  const GrowthLimit& limit = speed < 0.0 ? c.stability.astern : c.stability.ahead;
+  if (limit.speed && std::abs(speed) >= *limit.speed)
+    warn(database + ": " + describe(limit, speed < 0.0));
 }
 
 }  // namespace
@@ -58,6 +68,8 @@ void rao(const std::string& database, const WaveOptions& options, const LoadingO
   };
   const auto omegas = omegaList(options.omegaRange, defaultWaveOmega(coefficients));
   warnIfUnresolved(database, coefficients, omegas.back());
+  if (!free && moving.form(coefficients) == coefficients.forwardSpeed)
+    warnIfUnstable(database, coefficients, speed);
   naming(database, [&] {
     for (const double omega : omegas) add(omega);
   });

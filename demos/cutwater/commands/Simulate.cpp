@@ -48,11 +48,12 @@ void checkStability(const RunFile& run, const Hydrodynamics& ship) {
     const std::string line =
         fmt::format("[motion] speed = {} m/s: {} (form {})", speed, describe(limit, speed < 0.0),
                     nameOf(kForwardSpeedNames, ship.form()));
+    const char* other =
+        ship.form() == ForwardSpeedForm::Tuck ? "" : "solve with forward_speed = \"tuck\", ";
     if (!run.allowUnstable)
-      throw HydroError(Fault::ValueOutOfRange,
-                       line +
-                           "; solve with forward_speed = \"tuck\", go slower, restrain that mode, "
-                           "or set allow_unstable = true");
+      throw HydroError(
+          Fault::ValueOutOfRange,
+          line + "; " + other + "go slower, restrain that mode, or set allow_unstable = true");
     warn(run.path + ": " + line);
   }
   if (run.model.mean == Mean::Free && !run.model.keepCourse && stability.course &&

@@ -96,7 +96,9 @@ void fit(const RunFile& run, std::size_t index, double gravity, const Motions& m
     }
   }
   if (!result.ranAway.empty())
-    result.ranAway += ": the motion is no harmonic, as of a mode that nothing holds";
+    result.ranAway +=
+        ": the motion is no harmonic: nothing holds that mode, or it has not settled yet and "
+        "needs a longer duration";
 }
 
 // Motions in one regular wave, fitted over the second half.

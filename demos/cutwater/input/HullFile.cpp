@@ -1,6 +1,7 @@
 #include "demos/cutwater/input/HullFile.h"
 
 #include "demos/cutwater/output/Messages.h"
+#include "hydro/Errors.h"
 #include "hydro/geometry/panelling/Panelling.h"
 #include "hydro/geometry/repair/MeshRepair.h"
 
@@ -15,6 +16,24 @@ PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& option
   return {std::move(repaired.hull.surface), std::move(panels), repaired.hull.symmetric,
           repaired.hull.file};
 }
+
+namespace {
+
+// What the file's owner may have meant otherwise.
+std::string adviceFor(const TomlSection& hull, const std::string& mesh, Fault fault,
+                      const std::optional<int>& panels) {
+  std::string advice;
+  const bool gltf = mesh.ends_with(".glb") || mesh.ends_with(".gltf");
+  if (gltf && (!hull.has("up") || !hull.has("forward")))
+    advice +=
+        "; is the hull upright? [hull] up is \"z\" and forward \"x\" unless given, glTF has "
+        "up = \"y\", forward = \"z\"";
+  if (fault == Fault::HullNotClosed && !panels)
+    advice += "; with [hull] panels = 250 the mesh is repaired and divided into panels";
+  return advice;
+}
+
+}  // namespace
 
 PanelledHull readHullSection(TomlFile& file, std::optional<int> count) {
   TomlSection hull = file.section("hull");
@@ -39,7 +58,11 @@ PanelledHull readHullSection(TomlFile& file, std::optional<int> count) {
     hull.text("panels", "as-is", {"as-is"});
   }
   hull.finish();
-  return readPanelled(mesh, options, panels);
+  try {
+    return readPanelled(mesh, options, panels);
+  } catch (const HydroError& error) {
+    throw HydroError(error.fault(), error.what() + adviceFor(hull, mesh, error.fault(), panels));
+  }
 }
 
 }  // namespace cutwater::command

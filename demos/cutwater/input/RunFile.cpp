@@ -131,11 +131,11 @@ void readStart(TomlSection start, RunFile& run) {
 
 void readMean(TomlSection& motion, ShipModel& model) {
   const char* usual = model.mean == Mean::Free ? "free" : "fixed";
-  const std::string mean = motion.text("mean", usual, {"fixed", "free", "filtered"});
-  if (mean == "filtered")
+  if (motion.text("mean", usual) == "filtered")
     motion.refuse("mean",
-                  "= \"filtered\" is no more; \"free\" is the ship that is free to go, "
-                  "\"fixed\" one on a steady course");
+                  "is no more; \"free\" is the ship that is free to go, \"fixed\" one on a steady "
+                  "course");
+  const std::string mean = motion.text("mean", usual, {"fixed", "free"});
   if (motion.holds("follow_time"))
     motion.refuse("follow_time", "is no more: a free ship needs no filter");
   model.mean = mean == "free" ? Mean::Free : Mean::Fixed;
@@ -325,6 +325,30 @@ void requireSameLoading(const RunFile& run, const ShipParticulars& given,
   }
 }
 
+// Waves that break before they are as steep, and seas steeper than any: nothing of their answer is
+// of use.
+void warnOfSteepWaves(const RunFile& run, double gravity) {
+  constexpr double kBreaks = 0.142;       // H/λ of the highest wave in deep water [Michell 1893]
+  constexpr double kSteepest = 1 / 15.0;  // 2πHs/(g Tp²) of the steepest seas [DNV-RP-C205]
+  if (run.waves == RunFile::Waves::Regular) {
+    const double omega = *std::max_element(run.omega.begin(), run.omega.end());
+    const double steepness = run.amplitude * omega * omega / (kPi * gravity);
+    if (steepness > kBreaks)
+      warn(
+          fmt::format("{}: [waves] amplitude = {:.4g}: waves of {:.4g} rad/s would be {:.2g} of "
+                      "their length high; they break at {}",
+                      run.path, run.amplitude, omega, steepness, kBreaks));
+  } else if (run.waves == RunFile::Waves::Spectrum) {
+    const double omega = run.spectrum.peakFrequency();
+    const double steepness = run.spectrum.hs * omega * omega / (2.0 * kPi * gravity);
+    if (steepness > kSteepest)
+      warn(fmt::format(
+          "{}: [waves] hs = {:.4g}: steeper than seas are at tp = {:.4g}, whose hs is "
+          "at most {:.2g}",
+          run.path, run.spectrum.hs, 2.0 * kPi / omega, run.spectrum.hs * kSteepest / steepness));
+  }
+}
+
 // What potential flow lacks: a ship file's own, without solving again.
 void takeAdded(const ShipParticulars& given, ShipParticulars& ship) {
   ship.supplementary = given.supplementary;
@@ -343,6 +367,7 @@ Coefficients readShipOfRun(RunFile& run) {
   naming(run.path, [&] {
     warnIfUnresolved(run.database, coefficients, run.highestOmega(coefficients.ship.gravity));
   });
+  warnOfSteepWaves(run, coefficients.ship.gravity);
   std::optional<ShipParticulars> given;
   if (!run.ship.empty()) given = readShipFile(run.ship).particulars;
   if (isForeign(coefficients)) {
