@@ -14,7 +14,8 @@ only(c, number, value) = (abs(column(c) - number) < 1e-6) ? value : NaN
 set xlabel 't [s]'
 if (name eq 'adrift') {
   set ylabel 'speed [m/s], turning [°/s]'
-  plot in every ::1 using 2:(only(1, 0, $4)) with lines lc rgb blue title 'pushed from abeam: leeway', \
+  plot in every ::1 using 2:(only(1, 0, $4)) \
+         with lines lc rgb blue title 'pushed from abeam: leeway', \
        in every ::1 using 2:(only(1, 1, $5)) with lines lc rgb red title 'spun: turning', \
        in every ::1 using 2:(only(1, 2, $3)) with lines lc rgb green title 'with way on: speed'
 }
@@ -22,12 +23,21 @@ if (name eq 'beam_roll') {
   set ylabel 'roll [°]'
   stats in every ::1 using 1 nooutput
   high = STATS_max
-  plot in every ::1 using 3:(only(1, high, only(2, 0, $4))) with lines lc rgb grey title 'linear', \
-       in every ::1 using 3:(only(1, high, only(2, 1, $4))) with lines lc rgb blue title 'nonlinear'
+  plot in every ::1 using 3:(only(1, high, only(2, 0, $4))) \
+         with lines lc rgb grey title 'linear', \
+       in every ::1 using 3:(only(1, high, only(2, 1, $4))) \
+         with lines lc rgb blue title 'nonlinear'
 }
 if (name eq 'capsize') {
   set ylabel 'roll [°]'
-  plot in every ::1 using 2:3 with dots lc rgb blue title 'let go on either side of the vanishing angle'
+  stats in every ::1 using 1 nooutput
+  low = STATS_min
+  high = STATS_max
+  set xrange [0:120]
+  plot in every ::1 using 2:(only(1, low, $3)) with lines lc rgb blue \
+         title sprintf('let go at %.0f°', low), \
+       in every ::1 using 2:(only(1, high, $3)) with lines lc rgb red \
+         title sprintf('at %.0f°', high)
 }
 if (name eq 'cargo') {
   set ylabel '[°], [m]'
@@ -39,8 +49,10 @@ if (name eq 'collision') {
   set ylabel 'speed [m/s]'
   stats in every ::1 using 2 nooutput
   most = STATS_max
-  plot in every ::1 using 3:(only(1, 0, only(2, most, $4))) with lines lc rgb blue title 'ramming ship', \
-       in every ::1 using 3:(only(1, 0, only(2, most, $5))) with lines lc rgb red title 'ship that is rammed'
+  plot in every ::1 using 3:(only(1, 0, only(2, most, $4))) \
+         with lines lc rgb blue title 'ramming ship', \
+       in every ::1 using 3:(only(1, 0, only(2, most, $5))) \
+         with lines lc rgb red title 'ship that is rammed'
 }
 if (name eq 'crane') {
   set ylabel '[°]'
@@ -56,9 +68,10 @@ if (name eq 'drop') {
 }
 if (name eq 'fleet') {
   set ylabel 'heave [m]'
-  plot in every ::1 using 2:(only(1, 0, $5)) with lines lc rgb blue title 'ship 0', \
-       in every ::1 using 2:(only(1, 8, $5)) with lines lc rgb red title 'ship 8', \
-       in every ::1 using 2:(only(1, 500, $5)) with lines lc rgb green title 'ship 500'
+  plot in every ::1 using 2:(only(1, 0, $5)) with points pt 7 ps 0.25 lc rgb blue title 'ship 0', \
+       in every ::1 using 2:(only(1, 8, $5)) with points pt 7 ps 0.25 lc rgb red title 'ship 8', \
+       in every ::1 using 2:(only(1, 500, $5)) with points pt 7 ps 0.25 lc rgb green \
+         title 'ship 500'
 }
 if (name eq 'following_seas') {
   set ylabel '[m], [°]'
@@ -83,9 +96,12 @@ if (name eq 'quay') {
 if (name eq 'steep_head_seas') {
   set xlabel 'λ/L'
   set ylabel 'heave/a'
-  plot in every ::1 using (only(1, 0.2, only(2, 0, $4))):10 with points pt 7 ps 0.4 lc rgb grey title 'frequency domain', \
-       in every ::1 using (only(1, 0.2, only(2, 0, $4))):($5 < 0.01 ? $6 : NaN) with points pt 6 lc rgb blue title 'nonlinear, H/λ 1/300', \
-       in every ::1 using (only(1, 0.2, only(2, 0, $4))):($5 > 0.06 ? $6 : NaN) with points pt 6 lc rgb red title '1/15'
+  plot in every ::1 using (only(1, 0.2, only(2, 0, $4))):10 \
+         with points pt 7 ps 0.4 lc rgb grey title 'frequency domain', \
+       in every ::1 using (only(1, 0.2, only(2, 0, $4))):($5 < 0.01 ? $6 : NaN) \
+         with points pt 6 lc rgb blue title 'nonlinear, H/λ 1/300', \
+       in every ::1 using (only(1, 0.2, only(2, 0, $4))):($5 > 0.06 ? $6 : NaN) \
+         with points pt 6 lc rgb red title '1/15'
 }
 if (name eq 'tow') {
   set ylabel 'speed of the ship [m/s]'
@@ -97,15 +113,23 @@ if (name eq 'turning') {
   set xlabel 'x [m]'
   set ylabel 'y [m]'
   set size ratio -1
-  plot in every ::1 using (only(1, 1, $3)):4 with lines lc rgb blue title 'round once, in a sea of 3 m'
+  plot in every ::1 using (only(1, 1, $3)):4 \
+         with lines lc rgb blue title 'round once, in a sea of 3 m'
 }
 if (name eq 'wind') {
   set ylabel 'roll [°]'
   plot in every ::1 using 1:2 with lines lc rgb blue notitle
 }
-if (name eq 'motions') {
+if (name eq 'free_decay') {
+  set ylabel 'height of G [m]'
+  plot in every ::1 using 1:4 with lines lc rgb blue notitle
+}
+if (name eq 'head_seas' || name eq 'irregular_sea' || name eq 'hello_ship') {
   set ylabel '[m], [°]'
-  plot in every ::1 using 1:14 with lines lc rgb grey title 'wave at G', \
+  stats in every ::1 using 1 nooutput
+  set xrange [STATS_max - 60:STATS_max]
+  wave = (name eq 'hello_ship') ? 8 : 14
+  plot in every ::1 using 1:(column(wave)) with lines lc rgb grey title 'wave at G', \
        in every ::1 using 1:4 with lines lc rgb blue title 'height of G', \
        in every ::1 using 1:6 with lines lc rgb red title 'pitch [°]'
 }
