@@ -106,6 +106,13 @@ async function checkRuns(browser) {
   const runs = await browser.run(
     "window.cutwater.page.runs.map((r) => ({ name: r.name, kind: r.kind }))");
   assert.ok(runs.some((run) => run.kind === "simulate"), "no run was simulated");
+  // A run's plots are made when it is opened.
+  await browser.run(`document.querySelectorAll("#runs > details").forEach((details) => {
+    details.open = true;
+  })`);
+  const last = runs.map((run) => run.kind).lastIndexOf("simulate");
+  for (let i = 0; i < 60 && !(await plot(browser, `run-${last}-wave`)); ++i)
+    await new Promise((resolve) => setTimeout(resolve, 500));
   for (const [i, { name, kind }] of runs.entries()) {
     if (kind !== "simulate") continue;
     const csv = fromFile(`${name}.csv`);
@@ -171,6 +178,10 @@ async function checkSea(browser) {
   const csv = fromFile("run.csv");
   const names = await browser.run("window.cutwater.page.runs.map((r) => r.name)");
   assert.ok(names.includes("run"), `runs of the page: ${names}`);
+  await browser.run(`(() => {
+    const { scenes, scene } = window.cutwater.replay.debug;
+    return scene(scenes.findIndex((title) => title.startsWith("run")));
+  })()`);
   const seconds = [];
   for (const share of [0.15, 0.4, 0.75, 0.98]) {
     const row = Math.floor(share * csv.t.length);
