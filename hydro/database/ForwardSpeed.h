@@ -17,6 +17,7 @@ namespace cutwater {
 /// Tuck: ∂Z = TZ⁰, hence Z(U) = S Z⁰ Sᴴ: for instance A_53 += (U/ω²)B_33, A_35 −= (U/ω²)B_33,
 /// B_53 −= U A_33, B_35 += U A_33, A_55 += (U/ω)²A_33. Passive for every U, and
 /// Z_jk(U) = Z_kj(−U) [TimmanNewman62]; the report's form is neither.
+/// THEORY.md, chapter 6.
 struct SpeedCoefficients {
   Mat6 addedMass, damping;
 };

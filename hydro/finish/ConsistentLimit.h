@@ -9,6 +9,7 @@ namespace cutwater {
 /// behaves as z ln z at the waterline, and one value a panel leaves an error of first order in the
 /// depth of the uppermost panels, about twice that at finite ω. Only with this A(∞) do A(∞) and K
 /// together give back the solver's A(ω), so that time and frequency domain agree.
+/// THEORY.md, chapter 7.
 struct ConsistentLimit {
   Mat6 addedMassInf = Mat6::Zero();  ///< symmetric [kg, kg·m, kg·m²]
   /// Largest |value at one ω − mean| over √(A_jj A_kk), all pairs: small if A, B and the tail

@@ -11,6 +11,7 @@ namespace cutwater {
 /// to 0.36 √(g/L), because damping in surge, pitch and yaw rises and falls with the interference of
 /// bow and stern, cos(2ω²L/g); frequencies from 0.72 √(g/L) or less up to 3 √(g/B), where heave has
 /// radiated most of its waves (decision 0070; the numbers are in tests/finish/grid_needs_test.cpp).
+/// THEORY.md, chapter 7.
 struct GridNeeds {
   double first = 0.0;         ///< first frequency [rad/s]
   double step = 0.0;          ///< largest step in use [rad/s]

@@ -10,6 +10,7 @@ namespace cutwater {
 class RadiationModel;
 
 /// Which parts of the load of a free ship act, as far as its answer to waves depends on them.
+/// THEORY.md, chapter 8.
 struct ActiveParts {
   bool froudeKrylov = true, diffraction = true, hullLift = true, supplementary = true;
   bool water = true;  ///< restoring, radiation and added mass, all of them

@@ -10,6 +10,7 @@ namespace cutwater {
 ///
 /// Positions in hull axes (x forward, y port, z up from calm water); lengths are those of
 /// the wet surface.
+/// THEORY.md, chapter 2.
 struct Hydrostatics {
   double volume = 0.0;            ///< V [m³]
   double displacement = 0.0;      ///< ρV [kg]

@@ -9,6 +9,7 @@ namespace cutwater {
 /// parts of the surface that are missing on z = 0 or on a vertical plane (the centreline of a half
 /// hull) would add nothing: it holds for closed surfaces and for wet hulls alike. Negative if
 /// normals point inwards.
+/// THEORY.md, chapter 2.
 struct VolumeIntegrals {
   double volume = 0.0;         ///< [m³]
   Vec3 moment = Vec3::Zero();  ///< ∫ r dV [m⁴]

@@ -8,6 +8,7 @@
 namespace cutwater {
 
 /// Integrals of 1/r over one flat panel, r = |x − ξ|, ξ on the panel.
+/// THEORY.md, chapter 4.
 struct RankineIntegrals {
   double potential = 0.0;        ///< ∫ 1/r dS [m]
   Vec3 gradient = Vec3::Zero();  ///< ∇_x ∫ 1/r dS [–]; in the panel no normal part

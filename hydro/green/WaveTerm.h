@@ -16,6 +16,7 @@ namespace cutwater {
 ///   F  = −2[ln((R+Y)/2) + γ] + O(R ln R)
 ///   F_X = −2 X/(R(R+Y)) + O(ln R),  F_Y = −2/R + 2[ln((R+Y)/2) + γ] + O(R ln R)
 /// The logarithm over a panel is RankinePanel::logarithmInPlane, the rest waveTermRegular.
+/// THEORY.md, chapter 4.
 struct WaveTerm {
   double F = 0.0;
   double FX = 0.0;  ///< ∂F/∂X

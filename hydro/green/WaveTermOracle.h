@@ -6,6 +6,7 @@ namespace cutwater::oracle {
 /// call. Notation of WaveTerm.h; R = √(X²+Y²), α = Y/R.
 
 /// Bessel functions of order 0 and 1, first and second kind.
+/// THEORY.md, chapter 4.
 struct Bessel {
   double J0, J1, Y0, Y1;
 };

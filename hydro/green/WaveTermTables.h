@@ -15,6 +15,7 @@ inline constexpr std::size_t kPoints = 10;        ///< points per direction of a
 inline constexpr std::size_t kBesselPoints = 12;  ///< points of a Bessel cell
 
 /// Two functions of two variables in one cell.
+/// THEORY.md, chapter 4.
 struct alignas(64) Patch {
   static constexpr std::size_t kBlocks = kPoints / 2;  ///< of a row
   /// [power of a][power of b, two by two]: (b²ⁱ of function 0, of 1, b²ⁱ⁺¹ of 0, of 1)

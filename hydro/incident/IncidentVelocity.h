@@ -7,6 +7,7 @@ namespace cutwater {
 /// crest over G. Of a symmetric mesh the even and the odd part at its port panels,
 /// v_port = even + odd, v_starboard = even − odd ([M03] (69)-(79), with the factor e^{kz} missing
 /// in (76)); else `even` is v, `odd` empty.
+/// THEORY.md, chapter 3.
 struct IncidentVelocity {
   Eigen::VectorXcd even, odd;
 };

@@ -19,6 +19,7 @@ namespace cutwater {
 ///     const LackingRestoring lacking(wet, {ship.hull, ship.symmetric}, ship.restoring, ship.cog,
 ///                                    density, gravity);
 ///     const CVec6 force = froudeKrylovForce(…) + lacking.force(wave);
+/// THEORY.md, chapter 3.
 class LackingRestoring {
  public:
   /// Nothing is lacking.

@@ -4,6 +4,7 @@
 namespace cutwater {
 
 /// A wave e^{κ·(x − origin)} integrated over a flat panel.
+/// THEORY.md, chapter 3.
 struct PanelWave {
   Complex sum;              ///< ∫ e^{κ·(x − origin)} dS [m²]
   Eigen::Vector3cd moment;  ///< ∫ (x − centroid) e^{κ·(x − origin)} dS [m³]

@@ -10,6 +10,7 @@ namespace cutwater {
 /// Waves on panels that are small against them, at less cost than IncidentWaveForce.h: for tables
 /// of thousands of waves. A panel's mean of a wave is taken to second order in its size over the
 /// wave length, of four panels at once.
+/// THEORY.md, chapter 3.
 class SmallPanels {
  public:
   SmallPanels() = default;

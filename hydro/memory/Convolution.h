@@ -14,6 +14,7 @@ class RetardationMatrix;
 /// ∫₀^∞ K dτ is known (0 for K⁰), but the memory ends at T. What is missing of K⁰ and K^U is added
 /// to the last quarter of the weights as a smooth bump, so that a steady velocity feels no memory
 /// at rest, however short the duration; of L⁰ likewise, so that A(0) is kept.
+/// THEORY.md, chapter 7.
 class ConvolutionWeights {
  public:
   /// @param step h [s] > 0.

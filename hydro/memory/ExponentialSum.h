@@ -20,6 +20,7 @@ class RetardationMatrix;
 /// against the largest of B_jk(U), and of ωA_jk(U), from ω/1.5 to 1.5 ω, at that speed of 0 to
 /// 15 m/s at which it is largest. ∫∫K⁰ = A(0) − A(∞) is kept as well, so that a ship that is pushed
 /// for long moves with M + A(0). Immutable. Building costs about a quarter of a second.
+/// THEORY.md, chapter 7.
 class ExponentialSum {
  public:
   /// @param addedMassInf A(∞), against which errors are measured.

@@ -10,6 +10,7 @@ namespace cutwater::fourier {
 /// Legendre polynomials nothing cancels, neither for small nor for large τ):
 ///     ∫ P_n(s) e^{iωτ} dω = (b − a) iⁿ j_n(θ) e^{icτ},  ω = c + Hs on [a, b], θ = Hτ
 /// with the spherical Bessel functions j_n [DLMF 18.17.19].
+/// THEORY.md, chapter 7.
 struct CellWeights {
   std::array<double, 5> cosine;  ///< ∫ P_n cos ωτ dω, n = 0..4 [rad/s]
   std::array<double, 4> sine;    ///< ∫ P_n sin ωτ dω, n = 0..3 [rad/s]

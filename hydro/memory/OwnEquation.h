@@ -7,6 +7,7 @@
 namespace cutwater {
 
 /// A small motion that grows by itself, e^{st} with Re s > 0.
+/// THEORY.md, chapter 7.
 struct GrowingMotion {
   Complex s;  ///< [1/s]
   Mode mode;  ///< its cause: the motion would not grow with this mode held

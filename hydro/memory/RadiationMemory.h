@@ -13,6 +13,7 @@ namespace cutwater {
 /// exactly. K = K⁰ + U K^U + U² K^UU with the present speed for the whole past: as U changes only
 /// the weights of the three parts change. Frame H; forces and moments about G. No allocation after
 /// construction. One thread at a time.
+/// THEORY.md, chapter 7.
 class RadiationMemory {
  public:
   virtual ~RadiationMemory() = default;

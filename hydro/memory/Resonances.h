@@ -8,6 +8,7 @@ namespace cutwater {
 
 /// A peak of damping narrower than the steps of the frequency grid, as the water between the hulls
 /// of a catamaran has them.
+/// THEORY.md, chapter 7.
 struct Resonance {
   Mode mode;
   double omega;  ///< [rad/s], of the grid

@@ -21,6 +21,7 @@ namespace cutwater {
 ///
 /// Since B vanishes at both ends ∫₀^∞ K dτ = 0, and A(∞) = A(ω) + (1/ω)∫₀^∞ K sin ωτ dτ for every ω
 /// [Ogilvie 1964]. Immutable, any thread may read it. Each call costs O(n), about 10 µs at n = 60.
+/// THEORY.md, chapter 7.
 class RetardationFunction {
  public:
   /// @param omega    ω [rad/s], shape (n ≥ 2), strictly increasing, > 0; B(0) = 0 is added.

@@ -30,6 +30,7 @@ using SpeedKernels = SpeedParts<Mat6>;
 /// Pairs that vanish by symmetry, |B_jk| below 1e-8 of √(B_jj B_kk) at their maxima, are left out.
 /// Frequencies above Coefficients::resolvedOmega are left to the tails, which keep B positive:
 /// couplings that would outlast their modes are lessened beyond the data.
+/// THEORY.md, chapter 7.
 class RetardationMatrix {
  public:
   /// @param form  of the forward-speed terms.

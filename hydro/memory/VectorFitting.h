@@ -8,6 +8,7 @@
 namespace cutwater {
 
 /// One frequency response H(iω) of a real function of time, with weights of its parts at each ω.
+/// THEORY.md, chapter 7.
 struct Response {
   Eigen::VectorXcd value;
   Eigen::VectorXd weightRe, weightIm;

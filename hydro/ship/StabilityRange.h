@@ -8,6 +8,7 @@ namespace cutwater {
 /// What a curve of righting levers says, to one side.
 ///     Righting righting(ship, RightingTrim::Free);
 ///     const StabilityRange range = stabilityRange(righting, kPi);  // all of starboard
+/// THEORY.md, chapter 2.
 struct StabilityRange {
   double gm = 0.0;  ///< d gz / d heel at heel 0 [m]; below 0: not stable there
   /// Heel at which the ship lies at rest [rad]: 0 if it is stable upright, else the angle of loll,

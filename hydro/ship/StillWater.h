@@ -13,6 +13,7 @@ namespace cutwater {
 /// R_y(pitch) R_x(roll): about its own x and the level y.
 
 /// Where the hull is held.
+/// THEORY.md, chapter 2.
 struct Attitude {
   double height = 0.0;    ///< of G above calm water [m]
   double roll = 0.0;      ///< starboard down [rad]

@@ -33,6 +33,7 @@ struct Spectrum {
 
 /// How a spectrum becomes a sum of regular waves. The same numbers give the same sea on every
 /// machine.
+/// THEORY.md, chapter 3.
 struct SeaStateSettings {
   double heading = 0.0;    ///< mean β [rad], −2π..2π
   double spreading = 0.0;  ///< s of D(θ) ∝ cos^{2s}(θ/2); 0 = long-crested

@@ -11,6 +11,7 @@ double encounterFrequency(double omegaI, double speed, double heading, double gr
 
 /// Airy wave of unit amplitude in deep water, crest at the origin of x, y at t = 0 [M03] (64)-(66):
 ///   φ_I = (i g/ω_I) e^{kz − ik(x cos β − y sin β)}
+/// THEORY.md, chapter 3.
 struct AiryWave {
   double omega;    ///< ω_I [rad/s] > 0
   double heading;  ///< β [rad]

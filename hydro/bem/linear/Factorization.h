@@ -57,6 +57,7 @@ Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> product(
 
 /// Holds OpenBLAS to one thread while it lives: our own threads each solve a frequency, and results
 /// do not depend on how many there are. Not for use from several threads at once.
+/// THEORY.md, chapter 5.
 class OneBlasThread {
  public:
   OneBlasThread();

@@ -29,6 +29,7 @@ struct InfluenceSystem {
 /// share of −2/R₁ that g has become is taken from RankineMatrices' exact integral instead. Error of
 /// an entry, r.m.s. on a frigate of 433 panels a side: 1e-4 below 1.5 rad/s, 1e-3 at 2.5, 0.4 % at
 /// 3.
+/// THEORY.md, chapter 5.
 class FarWave {
  public:
   using Systems = std::array<InfluenceSystem<Complex>, 2>;

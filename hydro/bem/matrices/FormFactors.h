@@ -15,6 +15,7 @@ namespace cutwater {
 ///
 /// Tabulated at one wave number in steps of 1/32 of the quadrant's |sin|/(|sin| + |cos|), linear
 /// between: 2e-4 θ².
+/// THEORY.md, chapter 5.
 class FormFactors {
  public:
   static constexpr int kSteps = 128;

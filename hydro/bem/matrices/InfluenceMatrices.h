@@ -38,6 +38,7 @@ enum class IdleLid {
 /// no more of it than uniqueness needs: derived in the .cpp; the solution outside is that of the
 /// hull alone, at every frequency. Immutable; any thread may call. Memory: 8(n + m)² doubles if
 /// symmetric, else 4; 12 and 6 with H.
+/// THEORY.md, chapter 5.
 class InfluenceMatrices {
  public:
   /// Computes the Rankine parts.  @throws HydroError BadArgument, as PanelPairs.

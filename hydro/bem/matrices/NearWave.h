@@ -10,6 +10,7 @@ namespace cutwater {
 
 /// The singular part of the wave term over one source panel, seen from field point x; with
 /// ρ = R₁ + |z + ζ|, R₁ the distance to the mirror image of x in z = 0. None depends on frequency.
+/// THEORY.md, chapter 5.
 struct NearImage {
   double log = 0.0;           ///< ∫ ln ρ dS [m² ln m]
   double inverse = 0.0;       ///< ∫ 1/R₁ dS [m]

@@ -5,6 +5,7 @@
 namespace cutwater {
 
 /// Mean values of powers of the distance s from a panel's centroid, in its plane.
+/// THEORY.md, chapter 5.
 struct PanelMoments {
   Vec3 u, v;                     ///< axes in the plane
   std::array<double, 3> second;  ///< cumulants by falling power of u, with their binomials

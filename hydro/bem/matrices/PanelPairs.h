@@ -13,6 +13,7 @@ namespace cutwater {
 inline constexpr double kG = -1.0 / (4.0 * kPi);
 
 /// How the influence of panel on panel is integrated.
+/// THEORY.md, chapter 5.
 struct InfluenceSettings {
   Formulation formulation = Formulation::Potential;
   bool xDerivative = false;  ///< H as well; Formulation::Source only

@@ -6,6 +6,7 @@ namespace cutwater {
 
 /// What does not depend on frequency, of one parity: integrals over the source panel, averaged over
 /// the field panel. [field, source], (n + m)².
+/// THEORY.md, chapter 5.
 struct RankineParts {
   Eigen::MatrixXd rigid, image;              ///< ∫ 1/R + 1/R₁ dS, ∫ 1/R₁ dS [m]
   Eigen::MatrixXd rigidNormal, imageNormal;  ///< their normal derivatives: ∂/∂n_ξ or ∂/∂n_x [–]

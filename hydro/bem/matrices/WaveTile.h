@@ -6,6 +6,7 @@ namespace cutwater {
 
 /// Pairs of two blocks of panels whose wave terms are worked out together, member by member; all of
 /// it stays in the processor's nearest caches. Place kSide·source + field.
+/// THEORY.md, chapter 5.
 struct WaveTile {
   static constexpr std::size_t kSide = 16, kPairs = kSide * kSide;
   struct alignas(64) Column : std::array<double, kPairs> {};

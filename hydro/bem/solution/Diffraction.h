@@ -7,6 +7,7 @@ namespace cutwater {
 /// Force of a diffracted wave, per metre of amplitude, crest over G, on a ship at speed U:
 ///     F_D = ω_e F^ω + U F^U,   F^ω = ρ∫ iφ_D n_j dS,   F^U = −ρ∫ ∂φ_D/∂x n_j dS
 ///                                                                              [M03] (88)-(91)
+/// THEORY.md, chapter 5.
 struct DiffractionParts {
   CVec6 omega = CVec6::Zero();  ///< F^ω
   CVec6 speed = CVec6::Zero();  ///< F^U; zero if not asked for

@@ -10,6 +10,7 @@ namespace cutwater {
 /// the neighbours across its edges: second order on panels of any shape. Neighbours beyond a crease
 /// of 60° do not count; across the centreline of a half hull a panel's mirror image does.
 /// Immutable; keeps references to both meshes.
+/// THEORY.md, chapter 5.
 class PanelGradients {
  public:
   /// Another panel, or the mirror image of one.

@@ -10,6 +10,7 @@ namespace cutwater {
 /// n_j ΔS. Where that is curved, n_j varies and so does φ, linear on each panel (PanelGradients.h):
 /// w_j then has ∇φ times the first moment of n_j, carried to the neighbours, too. By reciprocity
 /// the same w_j are the flux of a motion through the panels.
+/// THEORY.md, chapter 5.
 struct ModeNormals {
   /// n_{1..3} = n, n_{4..6} = (r − r_G) × n at the centroid. Without first moments.
   ModeNormals(const PanelMesh& mesh, const Vec3& cog);

@@ -12,6 +12,7 @@ namespace cutwater {
 /// through its neighbours (none beyond a crease of 60°): second order on panels of any shape, at
 /// the waterline and at other loose edges too, where it extrapolates. On y = 0 of a half hull
 /// φ_edge is 0 for odd potentials, and a panel there has its mirror image for a neighbour.
+/// THEORY.md, chapter 5.
 class XDerivative {
  public:
   /// @param wet the mesh `mesh` was made from: its shared vertices say which panels are neighbours.

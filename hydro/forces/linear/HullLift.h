@@ -16,6 +16,7 @@ namespace cutwater {
 /// velocity (HullLiftFactors.h): lift answers the velocity through the water. It is linear in what
 /// has wave frequency, so that waves alone do not push by it. Y acts across the slow heading. Takes
 /// energy of a ship in calm water, never gives any.
+/// THEORY.md, chapter 8.
 class HullLift final : public ForceGenerator {
  public:
   /// @param predicted  of the same ship.
