@@ -11,21 +11,12 @@ import signal
 import stat
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
-COMMAND, DATABASE, MESHES = (os.path.abspath(a) if os.path.exists(a) else a for a in sys.argv[1:4])
+from command import COMMAND, InFolder, call, table
 
-
-def call(*arguments):
-    return subprocess.run([COMMAND, *arguments], capture_output=True, text=True, check=False)
-
-
-def table(*arguments):
-    done = call(*arguments)
-    assert done.returncode == 0, done.stderr
-    return list(csv.DictReader(io.StringIO(done.stdout)))
+DATABASE, MESHES = (os.path.abspath(a) if os.path.exists(a) else a for a in sys.argv[2:4])
 
 
 SHIP = f"""[hull]
@@ -43,18 +34,7 @@ ramp = 1.0
 """
 
 
-class Files(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-
-    def path(self, name, text=None):
-        full = os.path.join(self.folder.name, name)
-        if text is not None:
-            with open(full, "w", encoding="utf-8") as file:
-                file.write(text)
-        return full
-
+class Files(InFolder):
     def refused(self, arguments, *words, code=1):
         """Exit `code`, one line on stderr that names everything in `words`, nothing on stdout."""
         done = call(*arguments)

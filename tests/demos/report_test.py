@@ -5,7 +5,6 @@ Its data are those of the other commands and of the runs' CSV; what does not fit
 import array
 import base64
 import csv
-import io
 import json
 import math
 import os
@@ -19,7 +18,9 @@ import zlib
 
 import h5py
 
-COMMAND, DATABASE, SHIP, BOAT, CRANE = (os.path.abspath(a) for a in sys.argv[1:6])
+from command import InFolder, call, table
+
+DATABASE, SHIP, BOAT, CRANE = (os.path.abspath(a) for a in sys.argv[2:6])
 FULL = "CUTWATER_FULL" in os.environ
 MOTIONS = "t,x,y,z,roll_deg,pitch_deg,yaw_deg,u,v,w,p,q,r,wave".split(",")
 RUN = """database = "{database}"
@@ -54,16 +55,6 @@ size = [4.0, 3.0, 2.0]
 type = "regular"
 omega = 0.8
 """
-
-
-def call(*arguments):
-    return subprocess.run([COMMAND, *arguments], capture_output=True, text=True, check=False)
-
-
-def table(*arguments):
-    done = call(*arguments)
-    assert done.returncode == 0, done.stderr
-    return list(csv.DictReader(io.StringIO(done.stdout)))
 
 
 def blob(value):
@@ -111,18 +102,7 @@ def elevation(run, t, x, y):
         for o, a, e, b in waves)
 
 
-class Pages(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-
-    def path(self, name, text=None):
-        full = os.path.join(self.folder.name, name)
-        if text is not None:
-            with open(full, "w", encoding="utf-8") as file:
-                file.write(text)
-        return full
-
+class Pages(InFolder):
     def simulated(self, name, database=DATABASE, motion="", options=()):
         run = self.path(name + ".toml", RUN.format(database=database, motion=motion))
         done = call("simulate", run, *options, "-o", self.path(name + ".csv"))

@@ -4,19 +4,16 @@ import io
 import math
 import os
 import re
-import subprocess
 import sys
 import tempfile
 import unittest
 
-COMMAND, MESHES = (os.path.abspath(argument) for argument in sys.argv[1:3])
+from command import call
+
+MESHES = os.path.abspath(sys.argv[2])
 FRIGATE = f"{MESHES}/frigate/ship.toml"
 RIGHTING = "heel_deg gz height trim_deg volume".split()
 WEIGHT_OF_WATER = 1025 * 9.80665  # [N/m^3]
-
-
-def call(*arguments):
-    return subprocess.run([COMMAND, *arguments], capture_output=True, text=True, check=False)
 
 
 def table(*arguments):

@@ -4,10 +4,11 @@ import pty
 import re
 import subprocess
 import sys
-import tempfile
 import unittest
 
-COMMAND, DATABASE, SHIP = (os.path.abspath(a) for a in sys.argv[1:4])
+from command import COMMAND, InFolder
+
+DATABASE, SHIP = (os.path.abspath(a) for a in sys.argv[2:4])
 RUN = f"""database = "{DATABASE}"
 [bullet]
 dt = 0.02
@@ -40,18 +41,7 @@ def on_terminal(arguments, stream):
     return shown.decode().replace("\r\n", "\n")
 
 
-class Terminal(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-
-    def path(self, name, text=None):
-        full = os.path.join(self.folder.name, name)
-        if text is not None:
-            with open(full, "w", encoding="utf-8") as file:
-                file.write(text)
-        return full
-
+class Terminal(InFolder):
     def test_tables_are_aligned_for_people_and_csv_for_programs(self):
         for arguments in (["info", DATABASE], ["hydrostatics", SHIP]):
             done = subprocess.run([COMMAND, *arguments], capture_output=True, text=True, check=True)
