@@ -1,20 +1,7 @@
-// Elements of the page: made from a name, attributes and children; tables, notices and controls.
+// Pieces of the page: tables, notices and controls.
+import { h } from "../element.js";
 
-/** Element `name`, for instance "p" or "p.note"; text and elements are children, null is none. */
-export function h(name, attributes = {}, ...children) {
-  const [tag, ...classes] = name.split(".");
-  const element = document.createElement(tag);
-  if (classes.length) element.className = classes.join(" ");
-  for (const [key, value] of Object.entries(attributes)) {
-    if (key.startsWith("on")) element.addEventListener(key.slice(2), value);
-    else if (value === true) element.setAttribute(key, "");
-    else if (value !== false && value !== null && value !== undefined) {
-      element.setAttribute(key, value);
-    }
-  }
-  element.append(...children.flat().filter((child) => child !== null && child !== undefined));
-  return element;
-}
+export { h };
 
 /** Said in the place of what is not in the data: what is missing and what to do. */
 export function missing(text) {

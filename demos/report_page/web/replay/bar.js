@@ -1,5 +1,6 @@
 // The bar of controls below the picture: play, time, speed, cameras, what is shown, full screen.
-import { clock, make, setText } from "./dom.js";
+import { h } from "../element.js";
+import { clock, setText } from "./dom.js";
 
 export const SPEEDS = [0.25, 0.5, 1, 2, 5, 10];
 const SPEED_NAMES = ["¼ speed", "½ speed", "real speed", "2 ×", "5 ×", "10 ×"];
@@ -20,35 +21,35 @@ const ICON = '<svg width="13" height="13" viewBox="0 0 13 13" fill="none" stroke
 const valueTo = (tell) => (event) => tell(Number(event.target.value));
 
 function choice(label, values, names, tell) {
-  return make("select", { "aria-label": label, onchange: valueTo(tell) },
-    ...values.map((value, i) => make("option", { value }, names[i])));
+  return h("select", { "aria-label": label, onchange: valueTo(tell) },
+    ...values.map((value, i) => h("option", { value }, names[i])));
 }
 
 /// One button a camera; `buttons` is filled by kind.
 function cameraSet(act, buttons) {
   const made = Object.entries(CAMERA_NAMES).map(([kind, name], i) => {
-    const button = make("button",
+    const button = h("button",
       { type: "button", title: `key ${i + 1}`, onclick: () => act.camera(kind) }, name);
     buttons.set(kind, button);
     return button;
   });
-  return make("span", { class: "cw-set", role: "group", "aria-label": "Camera" }, ...made);
+  return h("span", { class: "cw-set", role: "group", "aria-label": "Camera" }, ...made);
 }
 
 /// One box an overlay; `boxes` is filled by key.
 function overlayMenu(act, boxes, gain) {
   const labels = OVERLAYS.map(([key, name, letter]) => {
-    const box = make("input",
+    const box = h("input",
       { type: "checkbox", onchange: (event) => act.overlay(key, event.target.checked) });
     boxes.set(key, box);
-    return make("label", { title: `key ${letter}` }, box, ` ${name}`);
+    return h("label", { title: `key ${letter}` }, box, ` ${name}`);
   });
-  return make("details", {}, make("summary", {}, "Show"),
-    make("div", { class: "cw-menu" }, ...labels, gain));
+  return h("details", {}, h("summary", {}, "Show"),
+    h("div", { class: "cw-menu" }, ...labels, gain));
 }
 
 function fullScreenButton(act) {
-  const button = make("button",
+  const button = h("button",
     { type: "button", title: "Full screen", "aria-label": "Full screen", onclick: act.full });
   button.innerHTML = ICON;
   return button;
@@ -58,15 +59,15 @@ function fullScreenButton(act) {
 export function makeBar(act) {
   const cameras = new Map();
   const boxes = new Map();
-  const play = make("button", { class: "cw-play", type: "button", title: "Space",
+  const play = h("button", { class: "cw-play", type: "button", title: "Space",
     onclick: act.toggle });
-  const slider = make("input", { type: "range", min: 0, max: 1, step: "any",
+  const slider = h("input", { type: "range", min: 0, max: 1, step: "any",
     "aria-label": "Time", oninput: valueTo(act.seek) });
-  const time = make("span", { class: "cw-time" });
+  const time = h("span", { class: "cw-time" });
   const speed = choice("Speed of the replay", SPEEDS, SPEED_NAMES, act.speed);
   const gain = choice("Length of the arrows", GAINS, GAINS.map((g) => `arrows ${g} ×`), act.gain);
   return {
-    node: make("div", { class: "cw-panel cw-bar" }, play, slider, time, speed,
+    node: h("div", { class: "cw-panel cw-bar" }, play, slider, time, speed,
       cameraSet(act, cameras), overlayMenu(act, boxes, gain), fullScreenButton(act)),
     setRange(start, end) {
       slider.min = start;

@@ -1,7 +1,8 @@
 // The replay's own controls and readouts, put together: canvas, panels, bar, the note below. No
 // drawing in three dimensions here; replay.js is told what the user wants.
 import { makeBar } from "./bar.js";
-import { make, setText } from "./dom.js";
+import { h } from "../element.js";
+import { setText } from "./dom.js";
 import { makeAbout, makeLegend, makeReadout, makeRule } from "./panels.js";
 
 const LABEL = "The ship in its sea. Space plays and pauses, arrow keys move in time, 1 to 3 " +
@@ -17,7 +18,7 @@ function takesKey({ tagName, type }, key) {
 /// act: functions {toggle, seek, speed, camera, overlay, scene, body, gain, key} that are called
 /// with the user's wishes; key says whether it knew the key. scenes: names.
 export function makeControls(root, scenes, act) {
-  const canvas = make("canvas", { tabindex: "0", role: "img", "aria-label": LABEL });
+  const canvas = h("canvas", { tabindex: "0", role: "img", "aria-label": LABEL });
   const full = () =>
     (document.fullscreenElement ? document.exitFullscreen() : box.requestFullscreen?.());
   const readout = makeReadout();
@@ -25,9 +26,9 @@ export function makeControls(root, scenes, act) {
   const legend = makeLegend();
   const rule = makeRule();
   const bar = makeBar({ ...act, full });
-  const box = make("div", { class: "cw-replay" }, canvas,
+  const box = h("div", { class: "cw-replay" }, canvas,
     ...[readout, about, legend, rule, bar].map(({ node }) => node));
-  const note = make("p", { class: "cw-note" });
+  const note = h("p", { class: "cw-note" });
   root.replaceChildren(box, note);
   box.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;

@@ -1,16 +1,5 @@
-// Small helpers for the controls: elements with attributes and listeners, text that is written only
-// when it changes, times as a clock shows them.
-
-/// make("button", {type: "button", onclick: f}, children...)
-export function make(tag, attributes = {}, ...children) {
-  const node = document.createElement(tag);
-  for (const [key, value] of Object.entries(attributes)) {
-    if (key.startsWith("on")) node.addEventListener(key.slice(2), value);
-    else node.setAttribute(key, value);
-  }
-  node.append(...children);
-  return node;
-}
+// Small helpers for the controls: text that is written only when it changes, times as a clock shows
+// them.
 
 export function setText(node, value) {
   if (node.textContent !== value) node.textContent = value;

@@ -1,6 +1,7 @@
 // What the replay shows in words and numbers over its picture: readouts, the scene, legends, a
 // rule.
-import { make, setText } from "./dom.js";
+import { h } from "../element.js";
+import { setText } from "./dom.js";
 
 const READOUTS = [
   ["t", "time", "s"], ["heave", "heave", "m"], ["roll", "roll", "°"], ["pitch", "pitch", "°"],
@@ -9,11 +10,11 @@ const READOUTS = [
 
 /// Numbers of the body in view; `set` takes {t, heave, roll, ...} as text.
 export function makeReadout() {
-  const node = make("div", { class: "cw-panel cw-read", "aria-hidden": "true" });
+  const node = h("div", { class: "cw-panel cw-read", "aria-hidden": "true" });
   const cells = {};
   for (const [key, name, unit] of READOUTS) {
-    cells[key] = make("b");
-    node.append(make("span", {}, name), cells[key], make("span", {}, unit));
+    cells[key] = h("b");
+    node.append(h("span", {}, name), cells[key], h("span", {}, unit));
   }
   return {
     node,
@@ -25,18 +26,18 @@ export function makeReadout() {
   };
 }
 
-const options = (names) => names.map((name, i) => make("option", { value: i }, name));
+const options = (names) => names.map((name, i) => h("option", { value: i }, name));
 
 /// Lists of scenes and of the scene's bodies, shown where there is a choice, and the sea in words.
 export function makeAbout(scenes, act) {
   const chosen = (tell) => (event) => tell(Number(event.target.value));
   const sceneList =
-    make("select", { "aria-label": "Scene", onchange: chosen(act.scene) }, ...options(scenes));
-  const bodyList = make("select", { "aria-label": "Body in view", onchange: chosen(act.body) });
-  const sea = make("small");
+    h("select", { "aria-label": "Scene", onchange: chosen(act.scene) }, ...options(scenes));
+  const bodyList = h("select", { "aria-label": "Body in view", onchange: chosen(act.body) });
+  const sea = h("small");
   sceneList.hidden = scenes.length < 2;
   return {
-    node: make("div", { class: "cw-panel cw-about" }, sceneList, " ", bodyList, sea),
+    node: h("div", { class: "cw-panel cw-about" }, sceneList, " ", bodyList, sea),
     setScene(index, bodies, seaText) {
       sceneList.value = String(index);
       bodyList.replaceChildren(...options(bodies));
@@ -50,26 +51,26 @@ export function makeAbout(scenes, act) {
 }
 
 function pressureLegend({ top, colours }) {
-  const ramp = make("div", { class: "cw-ramp" });
+  const ramp = h("div", { class: "cw-ramp" });
   ramp.style.background = `linear-gradient(90deg, ${colours.join(", ")})`;
   const ticks = [0, 0.25, 0.5, 0.75, 1].map((f) =>
-    make("span", {}, String(Number((f * top).toPrecision(3)))));
-  return make("div", {}, make("div", {}, "pressure of the water, kPa"), ramp,
-    make("div", { class: "cw-ticks" }, ...ticks));
+    h("span", {}, String(Number((f * top).toPrecision(3)))));
+  return h("div", {}, h("div", {}, "pressure of the water, kPa"), ramp,
+    h("div", { class: "cw-ticks" }, ...ticks));
 }
 
 function forcesLegend({ rows, text }) {
   const cells = rows.flatMap(({ colour, name, value }) => {
-    const dot = make("i");
+    const dot = h("i");
     dot.style.background = colour;
-    return [make("span", {}, dot, name), make("b", {}, value)];
+    return [h("span", {}, dot, name), h("b", {}, value)];
   });
-  return make("div", {}, make("div", { class: "cw-parts" }, ...cells), make("small", {}, text));
+  return h("div", {}, h("div", { class: "cw-parts" }, ...cells), h("small", {}, text));
 }
 
 /// Legends of pressure and forces; `set` takes stage.js's.
 export function makeLegend() {
-  const node = make("div", { class: "cw-panel cw-legend" });
+  const node = h("div", { class: "cw-panel cw-legend" });
   return {
     node,
     set({ pressure, forces }) {
@@ -83,9 +84,9 @@ export function makeLegend() {
 
 /// A length in the picture at the distance of G.
 export function makeRule() {
-  const bar = make("div");
-  const text = make("span");
-  const node = make("div", { class: "cw-panel cw-rule" }, text, bar);
+  const bar = h("div");
+  const text = h("span");
+  const node = h("div", { class: "cw-panel cw-rule" }, text, bar);
   return {
     node,
     set({ pixels, metres }) {

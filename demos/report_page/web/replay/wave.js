@@ -5,6 +5,7 @@
 //     k = omega^2/g,   r = (1 - cos(pi t/ramp))/2 until t = ramp, then 1
 //
 // x, y [m] in earth axes, z up, b the heading: waves travel towards (cos b, -sin b).
+import { jonswap } from "../analysis/sea.js";
 
 const TURN = 2 * Math.PI;
 
@@ -113,12 +114,7 @@ export function shortestLength(sea) {
 /// from a small generator with a seed, so that the page shows the same sea each time.
 export function jonswapSea(hs, tp, headingRad, gravity, n = 80, seed = 1) {
   const peak = TURN / tp;
-  const gamma = 3.3;
-  const density = (w) => {
-    const sigma = w <= peak ? 0.07 : 0.09;
-    const bump = Math.exp(-((w / peak - 1) ** 2) / (2 * sigma * sigma));
-    return w ** -5 * Math.exp(-1.25 * (peak / w) ** 4) * gamma ** bump;
-  };
+  const density = jonswap(hs, tp, 3.3);
   const low = 0.55 * peak;
   const step = (3.2 * peak - low) / n;
   let state = seed >>> 0;
