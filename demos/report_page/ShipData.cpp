@@ -7,6 +7,7 @@
 #include "demos/report_page/Encoding.h"
 #include "demos/report_page/PanelData.h"
 #include "hydro/Errors.h"
+#include "hydro/base/Radians.h"
 #include "hydro/ship/Afloat.h"
 #include "hydro/ship/Righting.h"
 
@@ -53,7 +54,7 @@ void rightingJson(Json& json, const ShipParticulars& ship, const std::string& fi
     Righting righting(ship, RightingTrim::Free);
     for (int heel = 0; heel <= 180; heel += kStep) {
       heels.push_back(heel);
-      levers.push_back(righting.at(heel * kPi / 180.0).gz);
+      levers.push_back(righting.at(heel * kDegree).gz);
     }
   } catch (const HydroError& error) {
     command::warn(file + ": no righting levers on the page: " + error.what());

@@ -13,6 +13,7 @@
 #include "demos/report_page/Encoding.h"
 #include "hydro/Errors.h"
 #include "hydro/base/ParallelFor.h"
+#include "hydro/base/Radians.h"
 #include "hydro/excitation/WaveExcitation.h"
 #include "hydro/memory/RetardationMatrix.h"
 #include "hydro/response/FrequencyResponse.h"
@@ -22,7 +23,6 @@ namespace cutwater::page {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kDegree = kPi / 180.0;
 
 // All round, or to one side of a ship whose other side is the same; without adjoint vectors those
 // of the database's table.

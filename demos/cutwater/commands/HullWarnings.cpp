@@ -49,7 +49,7 @@ std::vector<std::string> hullWarnings(const RunFile& run, const std::vector<Hull
         "[motion] mode is \"linear\": {} holds no closed hull; solve the ship from a closed mesh "
         "for \"nonlinear\"",
         run.database));
-  if (run.unusualProfile)
+  if (run.sea.profile != run.usualProfile())
     lines.push_back(fmt::format("[waves] profile = \"{}\" has no effect in mode = \"linear\"",
                                 nameOf(kWaveProfileNames, run.sea.profile)));
   return lines;

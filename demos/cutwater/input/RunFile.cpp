@@ -90,10 +90,6 @@ void readWaves(TomlSection waves, RunFile& run) {
       "type", "none",
       {"regular", "jonswap", "bretschneider", "pierson-moskowitz", "components", "none"});
   run.sea.ramp = waves.number("ramp", 20.0, 0.0, 1e5);
-  const bool one = type == "regular" || type == "components" || type == "none";
-  const auto usual = one ? WaveProfile::Extrapolated : WaveProfile::Wheeler;
-  run.sea.profile = waves.choice("profile", kWaveProfileNames, usual);
-  run.unusualProfile = run.sea.profile != usual;
   if (type == "regular") {
     readRegular(waves, run);
   } else if (type == "components") {
@@ -101,6 +97,7 @@ void readWaves(TomlSection waves, RunFile& run) {
   } else if (type != "none") {
     readSpectrum(waves, type, run);
   }
+  run.sea.profile = waves.choice("profile", kWaveProfileNames, run.usualProfile());
   waves.finish();
 }
 

@@ -29,7 +29,6 @@ struct RunFile {
   double phase = 0.0;         ///< [rad]
   Spectrum spectrum;
   SeaStateSettings sea;
-  bool unusualProfile = false;      // the sea's is another than its waves have by themselves
   std::optional<ForeignBody> body;  ///< [body]
   std::vector<WaveComponent> components;
 
@@ -41,6 +40,10 @@ struct RunFile {
 
   /// The sea of this run; of regular waves the one at `omega[index]`.
   SeaState seaState(double gravity, std::size_t index = 0) const;
+  /// The sea's, unless the file says another: Wheeler's of a spectrum, else the report's.
+  WaveProfile usualProfile() const {
+    return waves == Waves::Spectrum ? WaveProfile::Wheeler : WaveProfile::Extrapolated;
+  }
   /// Of all waves of this run [rad/s]; 0 in calm water.
   double highestOmega(double gravity) const;
 };
