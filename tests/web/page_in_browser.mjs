@@ -95,6 +95,16 @@ const plot = (browser, id) => browser.run(`(() => {
     series: plot.series.map((s) => ({ label: s.label, about: s.about, values: [...s.values] })) };
 })()`);
 
+/** What holds() says in the end: asked each half second until it says so, for half a minute. */
+async function until(holds) {
+  for (let i = 0; i < 60; ++i) {
+    const said = await holds();
+    if (said) return said;
+    await new Promise((resolve) => setTimeout(resolve, 500));
+  }
+  return false;
+}
+
 async function open(browser, query = "") {
   const start = Date.now();
   await browser.open(pathToFileURL(page).href + query);
@@ -119,8 +129,7 @@ async function checkRuns(browser) {
     details.open = true;
   })`);
   const last = runs.map((run) => run.kind).lastIndexOf("simulate");
-  for (let i = 0; i < 60 && !(await plot(browser, `run-${last}-wave`)); ++i)
-    await new Promise((resolve) => setTimeout(resolve, 500));
+  await until(() => plot(browser, `run-${last}-wave`));
   for (const [i, { name, kind }] of runs.entries()) {
     if (kind !== "simulate") continue;
     const csv = fromFile(`${name}.csv`);
@@ -229,24 +238,18 @@ test("the page in a browser", { skip }, async (t) => {
     await browser.run("document.querySelector('#replay-view canvas').focus()");
     await browser.run("window.cutwater.replay.seek(10)");
     await browser.press(" ", "Space");
-    let time = 10;
-    for (let i = 0; i < 60 && time === 10; ++i) {
-      await new Promise((resolve) => setTimeout(resolve, 500));
-      time = await browser.run("window.cutwater.replay.time()");
-    }
+    const plays = await until(() => browser.run("window.cutwater.replay.time() > 10"));
     await browser.press(" ", "Space");
-    assert.ok(time > 10, "it does not play");
+    assert.ok(plays, "it does not play");
   });
   await t.test("light, dark and narrow", async () => {
     if (full) await picturesOf(browser, "light", 1280);
     await browser.prefer(true);
     if (full) await picturesOf(browser, "dark", 1280);
     await browser.resize(700, 900);
-    let wide = Infinity;  // plots follow the width of the window, a little later
-    for (let i = 0; i < 60 && wide > 700; ++i) {
-      await new Promise((resolve) => setTimeout(resolve, 500));
-      wide = await browser.run("document.documentElement.scrollWidth");
-    }
+    // Plots follow the width of the window, a little later.
+    await until(() => browser.run("document.documentElement.scrollWidth <= 700"));
+    const wide = await browser.run("document.documentElement.scrollWidth");
     if (full) await picturesOf(browser, "narrow", 700);
     assert.ok(wide <= 700, `${wide} pixels wide on a screen of 700`);
   });
