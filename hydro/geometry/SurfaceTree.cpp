@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cutwater {
 namespace {
@@ -19,23 +20,20 @@ bool crosses(const Vec3& origin, const Vec3& direction, const Vec3& a, const Vec
   return u >= 0 && v >= 0 && u + v <= 1 && t > 1e-12 && t < reach;
 }
 
-/// Square of the distance from p to a triangle: to its plane if the foot is inside, else to its
-/// edges.
-double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const auto toEdge = [&](const Vec3& u, const Vec3& v) {
-    const Vec3 e = v - u;
-    const double l2 = e.squaredNorm();
-    const double t = l2 > 0 ? std::clamp((p - u).dot(e) / l2, 0.0, 1.0) : 0.0;
-    return (p - u - t * e).squaredNorm();
-  };
+/// The point of a triangle nearest to p: the foot on its plane if that is inside, else on an edge.
+Vec3 nearestOn(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 n = (b - a).cross(c - a);
   const bool inside = n.dot((b - a).cross(p - a)) >= 0 && n.dot((c - b).cross(p - b)) >= 0 &&
                       n.dot((a - c).cross(p - c)) >= 0;
-  if (inside && n.squaredNorm() > 0) {
-    const double h = n.dot(p - a);
-    return h * h / n.squaredNorm();
+  if (inside && n.squaredNorm() > 0) return p - n * (n.dot(p - a) / n.squaredNorm());
+  Vec3 nearest = a;
+  for (const auto& [u, v] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+    const Vec3 e = v - u;
+    const double l2 = e.squaredNorm();
+    const Vec3 q = u + e * (l2 > 0 ? std::clamp((p - u).dot(e) / l2, 0.0, 1.0) : 0.0);
+    if ((p - q).squaredNorm() < (p - nearest).squaredNorm()) nearest = q;
   }
-  return std::min({toEdge(a, b), toEdge(b, c), toEdge(c, a)});
+  return nearest;
 }
 
 double squaredDistanceToBox(const Vec3& p, const Vec3& low, const Vec3& high) {
@@ -102,8 +100,11 @@ bool SurfaceTree::meets(const Vec3& origin, const Vec3& direction, int except, d
   return false;
 }
 
-double SurfaceTree::distance(const Vec3& point) const {
+double SurfaceTree::distance(const Vec3& point) const { return (nearest(point) - point).norm(); }
+
+Vec3 SurfaceTree::nearest(const Vec3& point) const {
   double least = 1e300;
+  Vec3 nearest = Vec3::Constant(1e150);
   std::vector<int> open{0};
   while (!open.empty() && !nodes_.empty()) {
     const int index = open.back();
@@ -112,7 +113,10 @@ double SurfaceTree::distance(const Vec3& point) const {
     if (squaredDistanceToBox(point, node.low, node.high) >= least) continue;
     for (int i = node.first; i < node.first + node.count; ++i) {
       const Triangle& t = triangles_[static_cast<std::size_t>(i)];
-      least = std::min(least, squaredDistance(point, t.a, t.b, t.c));
+      const Vec3 q = nearestOn(point, t.a, t.b, t.c);
+      if ((q - point).squaredNorm() >= least) continue;
+      least = (q - point).squaredNorm();
+      nearest = q;
     }
     if (node.count > 0) continue;
     int nearer = index + 1, farther = node.right;
@@ -124,7 +128,7 @@ double SurfaceTree::distance(const Vec3& point) const {
     open.push_back(farther);
     open.push_back(nearer);
   }
-  return std::sqrt(least);
+  return nearest;
 }
 
 std::vector<int> SurfaceTree::near(const Vec3& low, const Vec3& high) const {

@@ -15,6 +15,8 @@ class SurfaceTree {
   bool meets(const Vec3& origin, const Vec3& direction, int except, double reach) const;
   /// Distance [m] from a point to the nearest face.
   double distance(const Vec3& point) const;
+  /// The point of the surface nearest to a point; far away for a surface without faces.
+  Vec3 nearest(const Vec3& point) const;
   /// Faces with a triangle whose box touches this box, each once, in rising order.
   std::vector<int> near(const Vec3& low, const Vec3& high) const;
 

@@ -1,0 +1,231 @@
+#include "hydro/geometry/outer/SurfaceFitting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "hydro/geometry/MeshIntegrals.h"
+
+namespace cutwater {
+namespace {
+
+constexpr double kAlongEdge = 0.8;  // cosine of the angle up to which two edges are one
+constexpr int kReturns = 3;  // to the surface and to the plane that holds a vertex, in turn
+constexpr double kStep = 0.5;  // of the way to the middle, a round
+constexpr double kOfThickness = 0.2;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Decides which of two neighbours may take the other's place.
+class Merging {
+ public:
+  explicit Merging(DualSurface& surface)
+      : s_(surface), of_(surface.mesh.vertices.size()), used_(of_.size(), false) {
+    std::iota(of_.begin(), of_.end(), 0);
+  }
+
+  void shorterThan(double shortest) {
+    struct Edge {
+      double length;
+      int a, b;
+    };
+    std::vector<Edge> edges;
+    for (const Face& f : s_.mesh.faces)
+      for (int i = 0; i < f.size(); ++i) {
+        const int a = f[i], b = f[(i + 1) % f.size()];
+        const double length = (point(a) - point(b)).norm();
+        if (a < b && length < shortest) edges.push_back({length, a, b});
+      }
+    std::sort(edges.begin(), edges.end(), [](const Edge& l, const Edge& r) {
+      return std::tie(l.length, l.a, l.b) < std::tie(r.length, r.a, r.b);
+    });
+    // Each vertex once: a chain of short edges must not end in one point.
+    for (const Edge& e : edges)
+      if (!used_[at(e.a)] && !used_[at(e.b)]) merge(e.a, e.b);
+    rebuild();
+  }
+
+ private:
+  Vec3& point(int i) { return s_.mesh.vertices[at(i)]; }
+  VertexHold& hold(int i) { return s_.hold[at(i)]; }
+
+  void merge(int a, int b) {
+    const int flagsA = flags(a), flagsB = flags(b);
+    const bool aStays = flagsA == (flagsA | flagsB) && hold(a).planes >= hold(b).planes;
+    const bool bStays = flagsB == (flagsA | flagsB) && hold(b).planes >= hold(a).planes;
+    if ((!aStays && !bStays) || !oneEdge(a, b)) return;
+    const int stays = aStays ? a : b, goes = aStays ? b : a;
+    if (aStays && bStays && flagsA == 0 && hold(a).planes == 1)
+      point(stays) = 0.5 * (point(a) + point(b));
+    of_[at(goes)] = stays;
+    used_[at(a)] = used_[at(b)] = true;
+  }
+  int flags(int i) { return (hold(i).onCentreplane ? 1 : 0) + (hold(i).onWater ? 2 : 0); }
+
+  /// Of two vertices on sharp edges: that both edges run from one to the other.
+  bool oneEdge(int a, int b) {
+    if (hold(a).planes < 2 || hold(b).planes < 2) return true;
+    if (hold(a).planes == 3 && hold(b).planes == 3) return false;
+    const Vec3 between = (point(b) - point(a)).normalized();
+    const auto runs = [&](int i) {
+      return hold(i).planes == 3 || std::abs(hold(i).along.dot(between)) > kAlongEdge;
+    };
+    return runs(a) && runs(b);
+  }
+
+  /// Faces on what is left of their corners. Two faces back to back on the same corners go.
+  void rebuild() {
+    std::vector<Face> kept;
+    for (Face face : s_.mesh.faces) {
+      Face left;
+      int n = 0;
+      for (int i = 0; i < face.size(); ++i) {
+        const int v = of_[at(face[i])], before = of_[at(face[(i + face.size() - 1) % face.size()])];
+        if (v != before) left.v[at(n++)] = v;
+      }
+      if (n < 3 || (n == 4 && (left[0] == left[2] || left[1] == left[3]))) continue;
+      kept.push_back(left);
+    }
+    s_.mesh.faces = withoutFolds(kept);
+    dropUnused();
+  }
+
+  static std::vector<Face> withoutFolds(const std::vector<Face>& faces) {
+    std::vector<std::pair<std::array<int, 4>, std::size_t>> keys;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      std::array<int, 4> key = faces[f].v;
+      std::sort(key.begin(), key.end());
+      keys.emplace_back(key, f);
+    }
+    std::sort(keys.begin(), keys.end());
+    std::vector<bool> gone(faces.size(), false);
+    for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+      if (keys[i].first != keys[i + 1].first) continue;
+      gone[keys[i].second] = gone[keys[i + 1].second] = true;
+      ++i;
+    }
+    std::vector<Face> kept;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      if (!gone[f]) kept.push_back(faces[f]);
+    return kept;
+  }
+
+  void dropUnused() {
+    std::vector<int> now(s_.mesh.vertices.size(), -1);
+    DualSurface left;
+    for (Face face : s_.mesh.faces) {
+      for (int i = 0; i < face.size(); ++i) {
+        int& v = now[at(face[i])];
+        if (v < 0) {
+          v = static_cast<int>(left.mesh.vertices.size());
+          left.mesh.vertices.push_back(point(face[i]));
+          left.hold.push_back(hold(face[i]));
+        }
+        face.v[at(i)] = v;
+      }
+      left.mesh.faces.push_back(face);
+    }
+    s_ = std::move(left);
+  }
+
+  DualSurface& s_;
+  std::vector<int> of_;
+  std::vector<bool> used_;
+};
+
+Vec3 heldTo(Vec3 p, const VertexHold& hold) {
+  if (hold.onCentreplane) p.y() = 0.0;
+  if (hold.onWater) p.z() = 0.0;
+  return p;
+}
+
+Vec3 back(Vec3 p, const VertexHold& hold, const SurfaceTree& onto) {
+  p = heldTo(p, hold);
+  for (int i = 0; i < kReturns; ++i) p = heldTo(onto.nearest(p), hold);
+  return p;
+}
+
+bool mayMove(const VertexHold& hold) {
+  return hold.planes <= 1 && !(hold.onCentreplane && hold.onWater);
+}
+
+/// Mean, by area, of the middles of the faces around each vertex.
+std::vector<Vec3> middles(const SurfaceMesh& mesh) {
+  std::vector<Vec3> sum(mesh.vertices.size(), Vec3::Zero());
+  std::vector<double> area(sum.size(), 0.0);
+  for (const Face& f : mesh.faces) {
+    const double a = vectorArea(mesh, f).norm();
+    for (int i = 0; i < f.size(); ++i) {
+      sum[at(f[i])] += a * meanCorner(mesh, f);
+      area[at(f[i])] += a;
+    }
+  }
+  for (std::size_t i = 0; i < sum.size(); ++i)
+    sum[i] = area[i] > 0 ? Vec3(sum[i] / area[i]) : mesh.vertices[i];
+  return sum;
+}
+
+/// The vector area at each vertex that may move, within the planes that hold it.
+std::vector<Vec3> pushes(const DualSurface& s) {
+  std::vector<Vec3> push(s.mesh.vertices.size(), Vec3::Zero());
+  for (const Face& f : s.mesh.faces)
+    for (int i = 0; i < f.size(); ++i)
+      push[at(f[i])] += vectorArea(s.mesh, f) / f.size();
+  for (std::size_t i = 0; i < push.size(); ++i) {
+    if (!mayMove(s.hold[i])) push[i].setZero();
+    if (s.hold[i].onCentreplane) push[i].y() = 0.0;
+    if (s.hold[i].onWater) push[i].z() = 0.0;
+  }
+  return push;
+}
+
+}  // namespace
+
+void mergeShortEdges(DualSurface& surface, double shortest) {
+  Merging(surface).shorterThan(shortest);
+}
+
+void smooth(DualSurface& surface, const SurfaceTree& onto, int rounds) {
+  for (std::size_t i = 0; i < surface.hold.size(); ++i)
+    if (mayMove(surface.hold[i]))
+      surface.mesh.vertices[i] = back(surface.mesh.vertices[i], surface.hold[i], onto);
+  for (int round = 0; round < rounds; ++round) {
+    const std::vector<Vec3> middle = middles(surface.mesh);
+    for (std::size_t i = 0; i < middle.size(); ++i) {
+      Vec3& p = surface.mesh.vertices[i];
+      if (mayMove(surface.hold[i])) p = back(p + kStep * (middle[i] - p), surface.hold[i], onto);
+    }
+  }
+}
+
+void fillOut(DualSurface& surface, double volume, double most) {
+  const SurfaceMesh before = surface.mesh;
+  const SurfaceTree tree(before);
+  const std::vector<Vec3> push = pushes(surface);
+  // How far each may go: rays into the body find the other side of a plate.
+  std::vector<double> limit(push.size(), 0.0);
+  for (std::size_t i = 0; i < push.size(); ++i) {
+    if (push[i].norm() == 0) continue;
+    const Vec3 inwards = -push[i].normalized(), from = before.vertices[i] + 0.01 * most * inwards;
+    limit[i] = tree.meets(from, inwards, -1, most / kOfThickness) ? 0.0 : most;
+    for (double thickness = 0.5 * most / kOfThickness; limit[i] == 0.0 && thickness > 0.02 * most;
+         thickness *= 0.5)
+      if (!tree.meets(from, inwards, -1, thickness)) limit[i] = kOfThickness * thickness;
+  }
+  double way = 0.0;
+  for (int round = 0; round < 8; ++round) {
+    const double lacking = volume - volumeIntegrals(surface.mesh).volume;
+    double perWay = 0.0;
+    for (std::size_t i = 0; i < push.size(); ++i)
+      if (limit[i] > std::abs(way)) perWay += push[i].norm();
+    if (perWay <= 0) return;
+    way = std::clamp(way + lacking / perWay, -most, most);
+    for (std::size_t i = 0; i < push.size(); ++i)
+      if (limit[i] > 0)
+        surface.mesh.vertices[i] =
+            before.vertices[i] + std::clamp(way, -limit[i], limit[i]) * push[i].normalized();
+  }
+}
+
+}  // namespace cutwater

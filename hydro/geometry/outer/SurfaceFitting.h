@@ -1,0 +1,27 @@
+#pragma once
+#include "hydro/geometry/SurfaceTree.h"
+#include "hydro/geometry/outer/DualSurface.h"
+
+/// From a dual surface to panels:
+///     mergeShortEdges(surface, 0.25 * length);
+///     smooth(surface, SurfaceTree(fine), 8);
+///     fillOut(surface, volume, 0.03 * length);
+namespace cutwater {
+
+/// Merges the ends of edges shorter than `shortest` [m], the shortest first. The vertex that is held
+/// more stays where it is. Vertices on different sharp edges stay apart, so that plates keep their
+/// thickness.
+void mergeShortEdges(DualSurface& surface, double shortest);
+
+/// Moves vertices of smooth places towards the middle of the faces around them and back to the
+/// nearest place of the surface, some rounds. Those on sharp edges and corners stay.
+/// @param onto  the surface that the vertices shall lie on.
+void smooth(DualSurface& surface, const SurfaceTree& onto, int rounds);
+
+/// Moves vertices of smooth places along their normals, all by the same way, until the volume is
+/// the one wanted: panels inscribed in a round body lack some.
+/// @param volume  [m³] of what the surface encloses with the planes that it is open on.
+/// @param most  [m] how far a vertex may move; nor by more than a fifth of the thickness there.
+void fillOut(DualSurface& surface, double volume, double most);
+
+}  // namespace cutwater
