@@ -270,4 +270,12 @@ RepairedHull readRepaired(const std::string& path, const MeshReadOptions& option
   return repaired;
 }
 
+AnyHull readAnyHull(const std::string& path, int count, const MeshReadOptions& options,
+                    PanelsBy by) {
+  const TurnedSurface read = readTurned(path, options);
+  AnyHull made = anyHull(read.mesh, count, path, read.symmetry, by);
+  made.hull.file = read.file;
+  return made;
+}
+
 }  // namespace cutwater

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "hydro/geometry/anyhull/AnyHull.h"
 #include "hydro/geometry/repair/MeshRepair.h"
 
 /// Hulls from mesh files.
@@ -42,6 +43,10 @@ Hull readHull(const std::string& path, const MeshReadOptions& options = {});
 
 /// readSurface, then repairedHull. @throws what they throw.
 RepairedHull readRepaired(const std::string& path, const MeshReadOptions& options = {});
+
+/// readSurface, then anyHull with `count` panels a side. @throws what they throw.
+AnyHull readAnyHull(const std::string& path, int count, const MeshReadOptions& options = {},
+                    PanelsBy by = PanelsBy::Auto);
 
 /// Writes Wavefront OBJ: to a temporary file beside it, then renamed, so that it is whole or not
 /// there.

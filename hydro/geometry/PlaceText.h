@@ -13,4 +13,9 @@ inline std::string placeText(const Vec3& p) {
   return text;
 }
 
+/// "1 face", "2 faces"; `many` where an s does not do.
+inline std::string counted(std::size_t n, const std::string& one, const std::string& many = {}) {
+  return std::to_string(n) + " " + (n == 1 ? one : many.empty() ? one + "s" : many);
+}
+
 }  // namespace cutwater

@@ -13,6 +13,9 @@ struct PanelledHull {
   SurfaceMesh panels;   ///< of the port half if symmetric, else of both sides
   bool symmetric = false;
   FilePlacement file = {};  ///< Hull::file
+  /// The panels' corners stand off the surface so far that they enclose its volume: they are to be
+  /// taken as flat (PanelShape).
+  bool filledOut = false;
 };
 /// A hull whose own faces below water are the panels.
 PanelledHull panelledAsItIs(const Hull& hull);

@@ -1,20 +1,43 @@
 #include "demos/cutwater/input/HullFile.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "demos/cutwater/output/Messages.h"
 #include "hydro/Errors.h"
 #include "hydro/geometry/panelling/Panelling.h"
-#include "hydro/geometry/repair/MeshRepair.h"
 
 namespace cutwater::command {
 
+namespace {
+
+constexpr double kVolumeOff = 0.01;  // from here on it is said
+
+void warnOfVolume(const std::string& mesh, const AnyHull& made) {
+  const double off = made.panelVolume / made.volume - 1;
+  if (std::abs(off) <= kVolumeOff) return;
+  warn(fmt::format("{}: panels enclose {:.6g} m3, the hull {:.6g} m3 ({:+.1f} %); more panels "
+                   "follow it better",
+                   mesh, made.panelVolume, made.volume, 100 * off));
+}
+
+}  // namespace
+
 PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& options,
-                          std::optional<int> count) {
+                          std::optional<int> count, PanelsBy by) {
   if (!count) return panelledAsItIs(readHull(mesh, options));
-  RepairedHull repaired = readRepaired(mesh, options);
-  for (const std::string& line : repaired.done) say(mesh + ": " + line);
-  SurfaceMesh panels = panelled(repaired.hull, *count, mesh);
-  return {std::move(repaired.hull.surface), std::move(panels), repaired.hull.symmetric,
-          repaired.hull.file};
+  AnyHull made = readAnyHull(mesh, *count, options, by);
+  for (const std::string& line : made.done) say(mesh + ": " + line);
+  warnOfVolume(mesh, made);
+  return {std::move(made.hull.surface), std::move(made.panels), made.hull.symmetric,
+          made.hull.file, made.by == PanelsBy::Surface};
+}
+
+PanelsBy panelsBy(const std::string& name) {
+  return name == "sections" ? PanelsBy::Sections
+         : name == "surface" ? PanelsBy::Surface
+                             : PanelsBy::Auto;
 }
 
 namespace {
@@ -57,9 +80,10 @@ PanelledHull readHullSection(TomlFile& file, std::optional<int> count) {
   } else {
     hull.text("panels", "as-is", {"as-is"});
   }
+  const std::string by = hull.text("panels_by", "auto", kPanelsByNames);
   hull.finish();
   try {
-    return readPanelled(mesh, options, panels);
+    return readPanelled(mesh, options, panels, panelsBy(by));
   } catch (const HydroError& error) {
     throw HydroError(error.fault(), error.what() + adviceFor(hull, mesh, error.fault(), panels));
   }

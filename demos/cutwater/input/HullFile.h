@@ -13,12 +13,16 @@ namespace cutwater::command {
 inline const std::vector<std::string> kAxisNames{"x", "-x", "y", "-y", "z", "-z"};
 inline const std::vector<std::string> kUnitNames{"m", "mm", "cm", "ft", "in"};
 inline const std::vector<std::string> kSymmetryNames{"auto", "none", "half"};
+inline const std::vector<std::string> kPanelsByNames{"auto", "sections", "surface"};
 
 /// Reads a mesh. With a count it is repaired and divided anew into about as many panels a side, and
 /// what was repaired is said on stderr; without, its faces below water are the panels.
 /// @throws HydroError naming the file.
 PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& options,
-                          std::optional<int> count);
+                          std::optional<int> count, PanelsBy by = PanelsBy::Auto);
+
+/// One of kPanelsByNames.
+PanelsBy panelsBy(const std::string& name);
 
 /// The [hull] section of a SHIP.toml. `count` overrides its `panels`.
 PanelledHull readHullSection(TomlFile& file, std::optional<int> count = {});

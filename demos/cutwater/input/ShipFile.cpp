@@ -152,15 +152,19 @@ int points(TomlSection& solve, const std::string& key, int fallback, bool automa
   return count;
 }
 
-// "auto", true or false.
+// "auto", true or false. "auto" is `fallback`: flat for panels that are filled out. Curved, they
+// would enclose what inscribed ones lack twice.
 PanelShape panelShape(TomlSection& solve, PanelShape fallback) {
   const std::string key = "curved_panels";
   if (!solve.has(key)) return fallback;
   if (solve.isText(key)) {
     solve.text(key, "auto", {"auto"});
-    return PanelShape::Auto;
+    return fallback;
   }
-  return solve.boolean(key, false) ? PanelShape::Curved : PanelShape::Flat;
+  if (!solve.boolean(key, false)) return PanelShape::Flat;
+  if (fallback == PanelShape::Flat)
+    solve.refuse(key, "does not go with panels laid over the surface: they have the hull's volume");
+  return PanelShape::Curved;
 }
 
 ConditionLimit conditionLimit(TomlSection& solve, const std::string& key) {
@@ -268,6 +272,7 @@ ShipFile readShipFile(const std::string& path) {
   if (file.root().has("engine")) ship.particulars.engine = readEngine(file.section("engine"), path);
   if (file.root().has("rudder")) ship.particulars.rudder = readRudder(file.section("rudder"), path);
   ship.particulars.name = std::filesystem::absolute(path).parent_path().filename().string();
+  if (hull.filledOut) ship.solve.panelShape = PanelShape::Flat;
   readSolve(file.section("solve"), ship.particulars, ship.solve);
   file.root().finish();
   warnIfUnbalanced(path, ship);

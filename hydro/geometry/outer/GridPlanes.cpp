@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <utility>
 
 namespace cutwater {
 namespace {
@@ -14,17 +14,21 @@ constexpr double kOff = 1e-5, kOffX = 0.37 * kOff, kOffY = 0.53 * kOff, kOffZ = 
 constexpr double kBelowWater[] = {0.3, 0.9, 1.9};
 // Of planes nearer to a thin part's than this many lengths there is no need.
 constexpr double kNear = 0.55;
+constexpr double kApart = 0.2;  // lengths between two planes of thin parts
 constexpr double kMargin = 1.4;  // lengths beyond the body
 
-void insert(std::vector<double>& planes, double extra, double length, int keepFirst, int keepLast) {
-  std::vector<double> kept;
-  const int n = static_cast<int>(planes.size());
-  for (int i = 0; i < n; ++i) {
-    const double p = planes[static_cast<std::size_t>(i)];
-    if (i < keepFirst || i >= n - keepLast || std::abs(p - extra) > kNear * length)
-      kept.push_back(p);
+/// Extra planes take the place of those near them; the first and the last may have to stay.
+void insert(std::vector<double>& planes, const std::vector<double>& extra, double length,
+            bool keepFirst, bool keepLast) {
+  std::vector<double> kept = extra;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const bool stays = (i == 0 && keepFirst) || (i + 1 == planes.size() && keepLast);
+    if (stays || std::all_of(extra.begin(), extra.end(), [&](double e) {
+          return std::abs(planes[i] - e) > kNear * length;
+        }))
+      kept.push_back(planes[i]);
   }
-  kept.insert(std::lower_bound(kept.begin(), kept.end(), extra), extra);
+  std::sort(kept.begin(), kept.end());
   planes = std::move(kept);
 }
 
@@ -40,30 +44,47 @@ struct Run {
   double middle, length, area;
 };
 
-/// The runs between neighbouring crossings of one line that are thin, with water on both sides.
+/// Number of the first node of a line, the same for all its nodes.
+std::size_t lineOf(const SpaceGrid& grid, std::size_t node, int axis) {
+  return node - static_cast<std::size_t>(grid.index(node)[static_cast<std::size_t>(axis)]) *
+                    grid.stride(axis);
+}
+
+/// The runs between neighbouring crossings of one line that are no longer than `longest` and that
+/// `counts`.
+template <class Crossing, class Counts>
+void addRuns(std::vector<Run>& runs, const SpaceGrid& grid, std::vector<Crossing> list, int axis,
+             double longest, const Counts& counts) {
+  std::vector<std::pair<std::size_t, Crossing>> lines;
+  for (const Crossing& c : list) lines.emplace_back(lineOf(grid, c.node, axis), c);
+  std::sort(lines.begin(), lines.end(), [](const auto& l, const auto& r) {
+    return l.first != r.first ? l.first < r.first : l.second.at < r.second.at;
+  });
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+    const Crossing &from = lines[i].second, &to = lines[i + 1].second;
+    const double length = to.at - from.at;
+    if (lines[i].first != lines[i + 1].first || length > longest || length < 1e-3 * longest ||
+        !counts(from.node, to.node))
+      continue;
+    const SpaceGrid::Index at = grid.index(from.node);
+    const double area = grid.width((axis + 1) % 3, at[static_cast<std::size_t>((axis + 1) % 3)]) *
+                        grid.width((axis + 2) % 3, at[static_cast<std::size_t>((axis + 2) % 3)]);
+    runs.push_back({0.5 * (from.at + to.at), length, area});
+  }
+}
+
+/// Thin parts with water on both sides, and thin gaps that water has reached.
 std::vector<Run> thinRuns(const WaterGrid& water, const GridCrossings& crossings, int axis,
                           double longest) {
   const SpaceGrid& grid = water.grid();
-  std::vector<GridCrossing> list = crossings.along(axis);
-  const auto lineOf = [&](const GridCrossing& c) {
-    return c.node - static_cast<std::size_t>(grid.index(c.node)[static_cast<std::size_t>(axis)]) *
-                        grid.stride(axis);
-  };
-  std::stable_sort(list.begin(), list.end(), [&](const GridCrossing& l, const GridCrossing& r) {
-    const std::size_t a = lineOf(l), b = lineOf(r);
-    return a != b ? a < b : l.at < r.at;
-  });
+  const std::size_t stride = grid.stride(axis);
   std::vector<Run> runs;
-  for (std::size_t i = 0; i + 1 < list.size(); ++i) {
-    const GridCrossing &in = list[i], &out = list[i + 1];
-    const double length = out.at - in.at;
-    if (length > longest || length < 1e-3 * longest || lineOf(in) != lineOf(out)) continue;
-    if (!water.wet(in.node) || !water.wet(out.node + grid.stride(axis))) continue;
-    const SpaceGrid::Index at = grid.index(in.node);
-    const double area = grid.width((axis + 1) % 3, at[static_cast<std::size_t>((axis + 1) % 3)]) *
-                        grid.width((axis + 2) % 3, at[static_cast<std::size_t>((axis + 2) % 3)]);
-    runs.push_back({0.5 * (in.at + out.at), length, area});
-  }
+  addRuns(runs, grid, crossings.along(axis), axis, longest, [&](std::size_t from, std::size_t to) {
+    return water.wet(from) && water.wet(to + stride);
+  });
+  addRuns(runs, grid, water.along(axis), axis, longest, [&](std::size_t from, std::size_t to) {
+    return water.wet(from + stride) && water.wet(to);
+  });
   return runs;
 }
 
@@ -101,8 +122,7 @@ SpaceGrid::Planes coarsePlanes(const GridPlan& plan) {
   while (planes[2].back() > box.low.z() - kMargin * h) planes[2].push_back(planes[2].back() - h);
   std::reverse(planes[2].begin(), planes[2].end());
   for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const double extra : plan.extra[axis])
-      insert(planes[axis], extra, h, axis == 1 && plan.half ? 1 : 0, axis == 2 ? 1 : 0);
+    insert(planes[axis], plan.extra[axis], h, axis == 1 && plan.half, axis == 2);
   return planes;
 }
 
@@ -143,7 +163,7 @@ SpaceGrid::Planes planesOfThinParts(const WaterGrid& water, const GridCrossings&
       const bool onCentreplane = mirrored && part.middle < 0.2 * length;
       planes.push_back(onCentreplane ? 0.25 * part.length : part.middle);
       std::erase_if(runs, [&, middle = part.middle](const Run& run) {
-        return std::abs(run.middle - middle) < kNear * length;
+        return std::abs(run.middle - middle) < kApart * length;
       });
     }
   }

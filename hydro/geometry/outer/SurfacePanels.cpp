@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <utility>
 
-#include "hydro/Errors.h"
 #include "hydro/geometry/MeshCut.h"
 #include "hydro/geometry/MeshIntegrals.h"
 #include "hydro/geometry/PlaceText.h"
 #include "hydro/geometry/outer/DualSurface.h"
+#include "hydro/geometry/outer/LeakStopping.h"
+#include "hydro/geometry/outer/PanelTidying.h"
 #include "hydro/geometry/outer/SurfaceFitting.h"
 #include "hydro/geometry/outer/WaterSurvey.h"
 
@@ -19,13 +20,14 @@ namespace {
 
 constexpr int kFine = 8;              // planes of the fine grid in one length of the panels
 constexpr std::size_t kMostNodes = 40000000;   // of the fine grid
-constexpr double kOpenTolerance = 1e-3;  // of the length: slits of twice that hold water back
-constexpr double kMirrorTolerance = 2e-4;  // of the size
+constexpr double kMirrorTolerance = 1e-3;  // of the size
 constexpr double kShortest = 0.3;     // of the panels' length: shorter edges are merged
 constexpr int kRounds = 8;            // of smoothing
 constexpr double kMostMove = 0.03;    // of the panels' length
 constexpr int kTries = 6;
-constexpr double kCloseEnough = 0.05;
+constexpr double kCloseEnough = 0.05;  // of the count
+constexpr double kVolumeOff = 0.004, kFiner = 0.9, kMostPanels = 1.5;
+constexpr double kWorthSaying = 1e-3;  // of the volume, or of the area
 
 std::vector<Vec3> unitNormals(const SurfaceMesh& triangles) {
   std::vector<Vec3> normals;
@@ -35,28 +37,48 @@ std::vector<Vec3> unitNormals(const SurfaceMesh& triangles) {
 
 class SurfacePanels {
  public:
-  SurfacePanels(SurfaceMesh triangles, std::string name, Symmetry symmetry)
-      : mesh_(std::move(triangles)),
-        name_(std::move(name)),
+  SurfacePanels(TightSurface tight, const std::string& name, Symmetry symmetry)
+      : mesh_(std::move(tight.mesh)),
+        name_(name),
+        done_(std::move(tight.done)),
         box_(bounds(mesh_)),
         normals_(unitNormals(mesh_)),
-        survey_(surveyWater(mesh_, openTolerance(), kMirrorTolerance * box_.diagonal())) {
-    half_ = symmetry != Symmetry::None && survey_.symmetric;
-  }
+        survey_(surveyWater(mesh_, slitTolerance(mesh_), kMirrorTolerance * box_.diagonal())),
+        half_(symmetry != Symmetry::None && survey_.symmetric) {}
 
+  /// Finer where the panels would lack volume, up to kMostPanels of the count.
   OuterSurface about(int count) {
-    const double wanted = half_ ? count : 2.0 * count;
-    double length = std::sqrt(1.2 * survey_.area / (2.0 * count));
-    for (int i = 0; i < kTries; ++i) {
-      const double n = static_cast<double>(coarse(length, 2).mesh.faces.size());
-      if (std::abs(n / wanted - 1) < kCloseEnough) break;
-      length *= std::sqrt(std::clamp(n / wanted, 0.3, 3.0));
+    double length = lengthFor(count);
+    OuterSurface best = made(length);
+    for (int i = 0; i < kTries && off(best) > kVolumeOff; ++i) {
+      length *= kFiner;
+      OuterSurface finer = made(length);
+      if (aSide(finer) > kMostPanels * count) break;
+      if (off(finer) < off(best)) best = std::move(finer);
     }
-    return made(length);
+    say(best, count);
+    return best;
   }
 
  private:
-  double openTolerance() const { return kOpenTolerance * (box_.high.x() - box_.low.x()); }
+  double aSide(const OuterSurface& s) const {
+    return static_cast<double>(s.panels.faces.size()) / (half_ ? 1 : 2);
+  }
+  static double off(const OuterSurface& s) { return std::abs(s.panelVolume / s.volume - 1); }
+
+  double lengthFor(int count) const {
+    const double wanted = half_ ? count : 2.0 * count;
+    double length = std::sqrt(1.2 * survey_.area / (2.0 * count));
+    for (int i = 0; i < kTries; ++i) {
+      const FinePlanes fine = finePlanes(planes(length), 2, survey_.wet.high.z());
+      const SpaceGrid grid(fine.planes);
+      const double n = static_cast<double>(
+          panelsOf(flooded(grid, crossingsOf(grid)), 2, fine.top, length).mesh.faces.size());
+      if (std::abs(n / wanted - 1) < kCloseEnough) break;
+      length *= std::sqrt(std::clamp(n / wanted, 0.3, 3.0));
+    }
+    return length;
+  }
 
   SpaceGrid::Planes planes(double length) const {
     GridPlan plan{box_, length, half_, {}};
@@ -64,9 +86,11 @@ class SurfacePanels {
     return coarsePlanes(plan);
   }
 
-  WaterGrid flooded(const FinePlanes& fine) const {
-    const SpaceGrid grid(fine.planes);
-    return {grid, GridCrossings(mesh_, grid, openTolerance()), half_};
+  GridCrossings crossingsOf(const SpaceGrid& grid) const {
+    return {mesh_, grid, slitTolerance(mesh_)};
+  }
+  WaterGrid flooded(const SpaceGrid& grid, const GridCrossings& crossings) const {
+    return {grid, crossings, half_};
   }
 
   DualSurface panelsOf(const WaterGrid& fineWater, int step, int top, double length) const {
@@ -76,46 +100,73 @@ class SurfacePanels {
     return s;
   }
 
-  DualSurface coarse(double length, int step) const {
-    const FinePlanes fine = finePlanes(planes(length), step, survey_.wet.high.z());
-    return panelsOf(flooded(fine), step, fine.top, length);
-  }
-
-  OuterSurface made(double length) const {
+  OuterSurface made(double length) {
     const SpaceGrid::Planes coarsePlanes = planes(length);
     int step = kFine;
     FinePlanes fine = finePlanes(coarsePlanes, step, box_.high.z());
     while (step > 2 && SpaceGrid(fine.planes).nodes() > kMostNodes)
       fine = finePlanes(coarsePlanes, --step, box_.high.z());
-    const WaterGrid water = flooded(fine);
+    const SpaceGrid grid(fine.planes);
+    const GridCrossings crossings = crossingsOf(grid);
+    const WaterGrid water = flooded(grid, crossings);
     const DualSurface hull = dualSurface(water, normals_, false);
-    OuterSurface out;
+    const int sides = half_ ? 2 : 1;
     const SurfaceMesh wet = cutBelow(hull.mesh);
-    out.volume = (half_ ? 2 : 1) * volumeIntegrals(wet).volume;
-    out.hull.surface = half_ ? bothHalves(hull.mesh) : hull.mesh;
-    out.hull.symmetric = half_;
+    OuterSurface out;
+    out.volume = sides * volumeIntegrals(wet).volume;
+    out.hull = {half_ ? bothHalves(hull.mesh) : hull.mesh, half_, false};
     out.hull.closed = openEdges(out.hull.surface).empty();
     DualSurface panels = panelsOf(water, step, fine.top, length);
     smooth(panels, SurfaceTree(wet), kRounds);
-    fillOut(panels, out.volume / (half_ ? 2 : 1), kMostMove * length);
-    out.panels = withSplitWaterCorners(panels.mesh);
-    out.panelVolume = (half_ ? 2 : 1) * volumeIntegrals(out.panels).volume;
+    panels.mesh.faces = tidied(panels.mesh);
+    fillOut(panels, out.volume / sides, kMostMove * length);
+    out.panels = welded(withSplitWaterCorners(panels.mesh), 0.0);
+    out.panelVolume = sides * volumeIntegrals(out.panels).volume;
+    out.betweenPanels = partsBetweenNodes(water, step, fine.top);
+    out.betweenPanels.volume *= sides;
+    out.thin = partsBetweenCrossings(water, crossings, fine.top);
+    out.thin.volume *= sides;
     return out;
+  }
+
+  void say(OuterSurface& s, int count) {
+    s.done = done_;
+    if (survey_.plateArea > kWorthSaying * survey_.area)
+      s.done.push_back(fmt::format(
+          "left out plates that the water touches on both sides, {:.3g} m2, one at {}",
+          survey_.plateArea, placeText(survey_.platePlace)));
+    for (const auto& [lost, what] : {std::pair(s.betweenPanels, "panels"), std::pair(s.thin, "hull")})
+      if (lost.volume > kWorthSaying * s.volume)
+        s.done.push_back(fmt::format(
+            "left out of the {} parts too thin for so many panels, {:.3g} m3 ({:.2g} %), one at {}",
+            what, lost.volume, 100 * lost.volume / s.volume, placeText(lost.place)));
+    if (aSide(s) > (1 + 2 * kCloseEnough) * count)
+      s.done.push_back(fmt::format("took {:.0f} panels a side instead of {}, for its volume",
+                                   aSide(s), count));
   }
 
   SurfaceMesh mesh_;
   std::string name_;
+  std::vector<std::string> done_;
   Bounds box_;
   std::vector<Vec3> normals_;
   WaterSurvey survey_;
-  bool half_ = false;
+  bool half_;
 };
 
 }  // namespace
 
-OuterSurface outerSurface(const SurfaceMesh& raw, int count, const std::string& name,
+OuterSurface outerSurface(const CleanSurface& clean, int count, const std::string& name,
                           Symmetry symmetry) {
-  return SurfacePanels(triangulated(welded(raw, 0.0)), name, symmetry).about(count);
+  return SurfacePanels(withoutLeaks(clean.mesh, name), name, symmetry).about(count);
+}
+
+double outerVolume(const CleanSurface& clean, const std::string& name) {
+  const SurfaceMesh tight = withoutLeaks(clean.mesh, name).mesh;
+  const WaterSurvey survey = surveyWater(tight, slitTolerance(tight), 0.0);
+  const int top = survey.water.grid().count(2) - 1;
+  return volumeIntegrals(dualSurface(survey.water, unitNormals(tight), true).mesh).volume +
+         partsBetweenCrossings(survey.water, survey.crossings, top).volume;
 }
 
 }  // namespace cutwater

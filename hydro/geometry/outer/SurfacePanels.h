@@ -2,17 +2,21 @@
 #include <string>
 #include <vector>
 
-#include "hydro/geometry/Hull.h"
+#include "hydro/geometry/outer/LostParts.h"
+#include "hydro/geometry/repair/CleanSurface.h"
 
 namespace cutwater {
 
 /// The outer surface of anything, closed, and panels on its wet part.
-///     const OuterSurface outer = outerSurface(readSurface("boat.obj"), 433, "boat.obj", Symmetry::Auto);
+///     const OuterSurface outer = outerSurface(
+///         cleanSurface(readSurface("boat.obj"), "boat.obj", Symmetry::Auto), 433, "boat.obj", Symmetry::Auto);
 struct OuterSurface {
   Hull hull;           ///< closed, both sides; a bowl is filled to its lowest rim
   SurfaceMesh panels;  ///< of the port half if hull.symmetric, else of both sides
   double volume = 0.0;      ///< below calm water, of the hull [m³]
   double panelVolume = 0.0; ///< of the panels, both sides [m³]
+  LostParts betweenPanels;  ///< parts that the panels do not show
+  LostParts thin;           ///< parts that the hull does not show either
   std::vector<std::string> done;  ///< one line each, for people
 };
 
@@ -21,9 +25,13 @@ struct OuterSurface {
 /// Any soup of faces will do: solids that touch, overlap or lie in one another, inner skins, doubled
 /// faces, any winding, slits. Plates with water on both sides are left out, and said.
 /// @param name  of the file, for messages.
-/// @throws HydroError MeshEmpty, MeshNotFinite, MeshIndexOutOfRange, HullNotInWater; HullNotClosed,
-///   naming the place, where water gets in and leaves little outside; ValueOutOfRange for the count.
-OuterSurface outerSurface(const SurfaceMesh& raw, int count, const std::string& name,
+/// The count may rise by half where the panels would lack volume otherwise.
+/// @throws HydroError HullNotClosed, naming the place, where water gets to both sides of most faces.
+OuterSurface outerSurface(const CleanSurface& clean, int count, const std::string& name,
                           Symmetry symmetry);
+
+/// What that surface encloses below calm water [m³], on a coarser grid.
+/// @throws as outerSurface.
+double outerVolume(const CleanSurface& clean, const std::string& name);
 
 }  // namespace cutwater

@@ -4,12 +4,16 @@
 #include <cmath>
 
 #include "hydro/geometry/MeshCut.h"
+#include "hydro/geometry/SurfaceTree.h"
 
 namespace cutwater {
 namespace {
 
 constexpr double kNodes = 1.5e6;
-constexpr double kMayBeOff = 0.01;  // share of the crossings
+// As of a repaired hull: faces of one side may be divided otherwise than those of the other.
+constexpr double kMayBeOff = 0.01;  // share of the places
+constexpr double kMayHeel = 1e-3;   // ∫ y dV over V and the half breadth
+constexpr std::size_t kPlaces = 4000;
 
 SpaceGrid surveyGrid(const Bounds& wet, double& spacing) {
   const Vec3 size = wet.high - wet.low;
@@ -17,28 +21,6 @@ SpaceGrid surveyGrid(const Bounds& wet, double& spacing) {
                       std::max(size.y(), 1e-3 * size.maxCoeff()) *
                       std::max(size.z(), 1e-3 * size.maxCoeff()) / kNodes);
   return SpaceGrid(coarsePlanes({wet, spacing, false, {}}));
-}
-
-/// The mirror image of a crossing on a grid whose planes of y are alike on both sides.
-const SurfaceCrossing* mirrored(const WaterGrid& water, const SurfaceCrossing& c, int axis) {
-  const SpaceGrid& grid = water.grid();
-  SpaceGrid::Index at = grid.index(c.node);
-  at[1] = grid.count(1) - 1 - at[1] - (axis == 1 ? 1 : 0);
-  return water.on(grid.node(at), axis);
-}
-
-bool isSymmetric(const WaterGrid& water, double tolerance) {
-  std::size_t off = 0, all = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const SurfaceCrossing& c : water.along(axis)) {
-      const SurfaceCrossing* image = mirrored(water, c, axis);
-      const double there = axis == 1 ? -c.at : c.at;
-      ++all;
-      // Where a surface lies along the line a tolerance of place is many of the line.
-      if (image == nullptr || std::abs(image->at - there) > tolerance) ++off;
-    }
-  }
-  return static_cast<double>(off) <= kMayBeOff * static_cast<double>(all);
 }
 
 /// Projected area of the grid's lines of one axis at a node.
@@ -50,8 +32,38 @@ double lineArea(const SpaceGrid& grid, std::size_t node, int axis) {
 }
 
 double along(const SurfaceMesh& triangles, int face, int axis) {
-  return std::abs(vectorArea(triangles, triangles.faces[static_cast<std::size_t>(face)])
-                      .normalized()[axis]);
+  return std::abs(
+      vectorArea(triangles, triangles.faces[static_cast<std::size_t>(face)]).normalized()[axis]);
+}
+
+/// Places where the water meets the surface, and the faces met.
+std::vector<Vec3> placesOf(const SurfaceMesh& triangles, const WaterGrid& water, SurfaceMesh& seen) {
+  std::vector<Vec3> places;
+  std::vector<bool> isSeen(triangles.faces.size(), false);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const SurfaceCrossing& c : water.along(axis)) {
+      if (c.face < 0) continue;
+      places.push_back(water.grid().place(water.grid().index(c.node)));
+      places.back()[axis] = c.at;
+      isSeen[static_cast<std::size_t>(c.face)] = true;
+    }
+  }
+  seen.vertices = triangles.vertices;
+  for (std::size_t f = 0; f < isSeen.size(); ++f)
+    if (isSeen[f]) seen.faces.push_back(triangles.faces[f]);
+  return places;
+}
+
+bool isSymmetric(const SurfaceMesh& triangles, const WaterSurvey& s, double tolerance) {
+  if (std::abs(s.middle.y()) > kMayHeel * std::max(s.wet.high.y(), -s.wet.low.y())) return false;
+  SurfaceMesh seen;
+  const std::vector<Vec3> places = placesOf(triangles, s.water, seen);
+  const SurfaceTree tree(seen);
+  const std::size_t step = std::max<std::size_t>(1, places.size() / kPlaces);
+  std::size_t off = 0, all = 0;
+  for (std::size_t i = 0; i < places.size(); i += step, ++all)
+    if (tree.distance({places[i].x(), -places[i].y(), places[i].z()}) > tolerance) ++off;
+  return static_cast<double>(off) <= kMayBeOff * static_cast<double>(all);
 }
 
 // Lines of all three directions meet a face; each counts by the cosine, so that together they count
@@ -61,8 +73,14 @@ void measureSurface(const SurfaceMesh& triangles, WaterSurvey& s) {
   for (int axis = 0; axis < 3; ++axis)
     for (const SurfaceCrossing& c : s.water.along(axis))
       if (c.face >= 0) s.area += lineArea(grid, c.node, axis) * along(triangles, c.face, axis);
-  for (std::size_t node = 0; node < grid.nodes(); ++node)
-    if (!s.water.wet(node)) s.volume += lineArea(grid, node, 0) * grid.width(0, grid.index(node)[0]);
+  for (std::size_t node = 0; node < grid.nodes(); ++node) {
+    if (s.water.wet(node)) continue;
+    const SpaceGrid::Index at = grid.index(node);
+    const double volume = lineArea(grid, node, 0) * grid.width(0, at[0]);
+    s.volume += volume;
+    s.middle += volume * grid.place(at);
+  }
+  if (s.volume > 0) s.middle /= s.volume;
 }
 
 void measurePlates(const SurfaceMesh& triangles, WaterSurvey& s) {
@@ -90,9 +108,9 @@ WaterSurvey surveyWater(const SurfaceMesh& triangles, double openTolerance,
   const SpaceGrid grid = surveyGrid(wet, spacing);
   GridCrossings crossings(triangles, grid, openTolerance);
   WaterGrid water(grid, crossings, false);
-  WaterSurvey s{std::move(water), std::move(crossings), spacing, false, wet};
-  s.symmetric = isSymmetric(s.water, mirrorTolerance);
+  WaterSurvey s{std::move(water), std::move(crossings), spacing, wet};
   measureSurface(triangles, s);
+  s.symmetric = mirrorTolerance > 0 && isSymmetric(triangles, s, mirrorTolerance);
   measurePlates(triangles, s);
   return s;
 }

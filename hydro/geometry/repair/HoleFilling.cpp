@@ -181,25 +181,33 @@ bool isKeel(const SurfaceMesh& wet, const Rim& rim, double widest) {
 
 }  // namespace
 
-std::vector<FilledHole> fillHoles(SurfaceMesh& wet, double widest, const std::string& name) {
+std::vector<FilledHole> fillNarrowHoles(SurfaceMesh& wet, double widest) {
   Rims found = rimsOf(wet);
   std::vector<std::pair<Rim, bool>> rims = closedChains(wet, std::move(found.chains), widest);
   for (Rim& loop : found.loops) rims.emplace_back(std::move(loop), false);
   std::vector<FilledHole> holes;
   for (const auto& [rim, keel] : rims) {
     if (rim.size() < 3) continue;
+    const std::size_t faces = wet.faces.size();
     double area = 0.0;
     FilledHole hole = RimFilling(wet, rim).fill(area);
     hole.keel = keel || isKeel(wet, rim, widest);
-    if (hole.width > widest) {
-      char text[160];
-      std::snprintf(
-          text, sizeof text,
-          ": hull has a hole %.3g m wide below water at %s; holes up to %.3g m are closed",
-          hole.width, placeText(hole.place).c_str(), widest);
-      throw HydroError(Fault::HullNotClosed, name + text);
-    }
+    hole.open = hole.width > widest;
+    if (hole.open) wet.faces.resize(faces);
     holes.push_back(hole);
+  }
+  return holes;
+}
+
+std::vector<FilledHole> fillHoles(SurfaceMesh& wet, double widest, const std::string& name) {
+  std::vector<FilledHole> holes = fillNarrowHoles(wet, widest);
+  for (const FilledHole& hole : holes) {
+    if (!hole.open) continue;
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  ": hull has a hole %.3g m wide below water at %s; holes up to %.3g m are closed",
+                  hole.width, placeText(hole.place).c_str(), widest);
+    throw HydroError(Fault::HullNotClosed, name + text);
   }
   return holes;
 }

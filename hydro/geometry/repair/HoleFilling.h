@@ -11,6 +11,7 @@ struct FilledHole {
   Vec3 place = Vec3::Zero();  ///< mean of its rim [m]
   double width = 0.0;         ///< four times area over circumference [m]: of a disc its diameter
   bool keel = false;          ///< it is the slit between two halves that do not meet
+  bool open = false;          ///< it is too wide, and still there
 };
 
 /// Closes the holes of a wet surface whose faces agree, and says which: loops of open edges, chains
@@ -20,5 +21,8 @@ struct FilledHole {
 /// @param widest  [m] a wider hole is refused.
 /// @throws HydroError HullNotClosed, naming the place.
 std::vector<FilledHole> fillHoles(SurfaceMesh& wet, double widest, const std::string& name);
+
+/// The same; holes that are too wide stay open, and are among those that it tells of.
+std::vector<FilledHole> fillNarrowHoles(SurfaceMesh& wet, double widest);
 
 }  // namespace cutwater

@@ -13,6 +13,7 @@
 #include "hydro/geometry/PlaceText.h"
 #include "hydro/geometry/SurfacePatches.h"
 #include "hydro/geometry/SurfaceTree.h"
+#include "hydro/geometry/repair/CleanSurface.h"
 #include "hydro/geometry/repair/CrackClosing.h"
 #include "hydro/geometry/repair/HoleFilling.h"
 #include "hydro/geometry/repair/OutsideShell.h"
@@ -20,86 +21,30 @@
 namespace cutwater {
 namespace {
 
-constexpr double kWeld = 1e-5;           // of the size: 1 mm on a ship of 100 m
-constexpr double kWidestHole = 0.02;     // of the length
 constexpr double kOff = 2e-4;            // of the size: how near a mirror image must lie
 constexpr double kMayBeOff = 0.01;       // share of the vertices
 constexpr std::size_t kMirrored = 4000;  // vertices examined
 
 class Repair {
  public:
-  Repair(const SurfaceMesh& raw, std::string name, Symmetry symmetry)
-      : name_(std::move(name)), symmetry_(symmetry), mesh_(raw) {}
+  Repair(const CleanSurface& clean, std::string name, Symmetry symmetry)
+      : name_(std::move(name)), symmetry_(symmetry), size_(clean.size), done_(clean.done) {
+    dry_ = cutAbove(clean.mesh);
+    wet_ = cutBelow(clean.mesh);
+  }
 
   RepairedHull hull() {
-    checkVertices(mesh_, name_);
-    checkInWater(bounds(mesh_), name_);
-    mergeVertices();
-    mirror();
-    const SurfaceMesh dry = cutAbove(mesh_);
-    wet_ = cutBelow(mesh_);
-    mesh_ = {};
     OutsideShell outside = outsideShell(wet_, name_);
     wet_ = withoutCracks(outside.mesh, 0.1 * kWeld * size_, outside.mesh.faces.size());
     done_.insert(done_.end(), outside.done.begin(), outside.done.end());
     closeHoles();
     if (firstOpen() >= 0) wet_ = agreeing(std::move(wet_), name_);
     check();
-    return finished(dry);
+    return finished();
   }
 
  private:
   void say(std::string line) { done_.push_back(std::move(line)); }
-
-  void mergeVertices() {
-    const std::size_t faces = mesh_.faces.size();
-    size_ = bounds(mesh_).diagonal();
-    mesh_ = welded(mesh_, 0.0);
-    const std::size_t vertices = mesh_.vertices.size();
-    mesh_ = welded(snapped(std::move(mesh_), 2, kWeld * size_), kWeld * size_);
-    if (mesh_.vertices.size() < vertices)
-      say(fmt::format("merged {} with others less than {:.2g} m away",
-                      counted(vertices - mesh_.vertices.size(), "vertex", "vertices"),
-                      kWeld * size_));
-    const std::size_t before = mesh_.faces.size();
-    std::size_t triangles = 0;
-    for (const Face& f : mesh_.faces) triangles += static_cast<std::size_t>(f.size() - 2);
-    mesh_ = triangulated(mesh_);
-    const std::size_t empty = faces - before + triangles - mesh_.faces.size();
-    const std::size_t withDoubles = mesh_.faces.size();
-    mesh_ = withoutDoubles(mesh_);
-    const std::size_t doubles = withDoubles - mesh_.faces.size();
-    if (empty > 0) say(fmt::format("left out {} without area", counted(empty, "face")));
-    if (doubles > 0) say(fmt::format("left out {}", counted(doubles, "double face")));
-    if (mesh_.faces.empty()) throw HydroError(Fault::MeshEmpty, name_ + ": no face has an area");
-  }
-
-  /// One half, open below water along the centreplane or near it.
-  void mirror() {
-    if (symmetry_ == Symmetry::None) return;
-    const Bounds box = bounds(mesh_);
-    const double tolerance = kWeld * size_, near = kWidestHole * (box.high.x() - box.low.x());
-    const bool oneSided = box.low.y() >= -tolerance || box.high.y() <= tolerance;
-    if (symmetry_ == Symmetry::Half && !oneSided)
-      throw HydroError(Fault::HullNotSymmetric,
-                       fmt::format("{}: symmetric = \"half\", but y goes from {:.6g} to {:.6g} m",
-                                   name_, box.low.y(), box.high.y()));
-    if (!oneSided || (symmetry_ == Symmetry::Auto && !opensToCentreplane(near))) return;
-    mesh_ = withMirrorImage(snapped(std::move(mesh_), 1, tolerance));
-    say("mirrored the half hull");
-  }
-  bool opensToCentreplane(double near) const {
-    double open = 0.0;
-    for (const OpenEdge& e : looseEdges(mesh_)) {
-      const Vec3 &p = mesh_.vertices[static_cast<std::size_t>(e.from)],
-                 &q = mesh_.vertices[static_cast<std::size_t>(e.to)];
-      if (std::max(p.z(), q.z()) <= 0 && std::min(p.z(), q.z()) < 0 &&
-          std::max(std::abs(p.y()), std::abs(q.y())) < near)
-        open += std::abs(p.x() - q.x());
-    }
-    const Bounds box = bounds(mesh_);
-    return open > 0.3 * (box.high.x() - box.low.x());
-  }
 
   void closeHoles() {
     const Bounds box = bounds(wet_);
@@ -154,12 +99,12 @@ class Repair {
   }
 
   /// Wet and dry part together, the dry part's faces turned to agree with the wet.
-  RepairedHull finished(const SurfaceMesh& dry) {
+  RepairedHull finished() {
     RepairedHull result;
     result.hull.symmetric = symmetry_ != Symmetry::None && isSymmetric();
     if (result.hull.symmetric) wet_ = snapped(std::move(wet_), 1, 0.1 * kWeld * size_);
     const int below = static_cast<int>(wet_.faces.size());
-    SurfaceMesh all = welded(joined(wet_, dry), 0.0);
+    SurfaceMesh all = welded(joined(wet_, dry_), 0.0);
     try {
       for (const SurfacePatch& patch : surfacePatches(all, name_)) {
         // The patch begins with its first face, one of the wet ones if it has any.
@@ -181,15 +126,19 @@ class Repair {
 
   std::string name_;
   Symmetry symmetry_;
-  SurfaceMesh mesh_, wet_;
-  double size_ = 0.0;
+  double size_;
   std::vector<std::string> done_;
+  SurfaceMesh dry_, wet_;
 };
 
 }  // namespace
 
 RepairedHull repairedHull(const SurfaceMesh& raw, const std::string& name, Symmetry symmetry) {
-  return Repair(raw, name, symmetry).hull();
+  return repairedHull(cleanSurface(raw, name, symmetry), name, symmetry);
+}
+
+RepairedHull repairedHull(const CleanSurface& clean, const std::string& name, Symmetry symmetry) {
+  return Repair(clean, name, symmetry).hull();
 }
 
 }  // namespace cutwater

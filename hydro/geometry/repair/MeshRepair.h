@@ -33,4 +33,8 @@ struct RepairedHull {
 ///   hole; HullPartHidden for a shell that is partly inside another; ShellsNotJoined.
 RepairedHull repairedHull(const SurfaceMesh& raw, const std::string& name, Symmetry symmetry);
 
+struct CleanSurface;
+/// The same of a surface that has been cleaned.
+RepairedHull repairedHull(const CleanSurface& clean, const std::string& name, Symmetry symmetry);
+
 }  // namespace cutwater

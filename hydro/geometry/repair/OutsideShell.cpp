@@ -144,10 +144,6 @@ class ShellFinder {
 
 }  // namespace
 
-std::string counted(std::size_t n, const std::string& one, const std::string& many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many.empty() ? one + "s" : many);
-}
-
 OutsideShell outsideShell(const SurfaceMesh& wet, const std::string& name) {
   return ShellFinder(wet, name).find();
 }

@@ -19,7 +19,4 @@ struct OutsideShell {
 ///   patch is partly hidden for another reason; HullInverted for a one-sided patch.
 OutsideShell outsideShell(const SurfaceMesh& wet, const std::string& name);
 
-/// "1 face", "2 faces"; `many` where an s does not do.
-std::string counted(std::size_t n, const std::string& one, const std::string& many = {});
-
 }  // namespace cutwater

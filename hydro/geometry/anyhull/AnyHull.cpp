@@ -1,0 +1,111 @@
+#include "hydro/geometry/anyhull/AnyHull.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "hydro/Errors.h"
+#include "hydro/geometry/MeshIntegrals.h"
+#include "hydro/geometry/outer/SurfacePanels.h"
+#include "hydro/geometry/panelling/Panelling.h"
+#include "hydro/geometry/repair/MeshRepair.h"
+
+namespace cutwater {
+namespace {
+
+// What a repaired hull may differ from the volume that water is kept out of: twice what two grids
+// differ by.
+constexpr double kHullOff = 0.004;
+// What inscribed panels may lack (decision 0033), times the panels a side, and a third more.
+constexpr double kLacking = 1.33 * 0.0045 * 1040, kLeastLacking = 0.01;
+
+double volumeOf(const SurfaceMesh& wet) { return volumeIntegrals(wet).volume; }
+
+class AnyHullMaking {
+ public:
+  AnyHullMaking(const CleanSurface& clean, int count, const std::string& name, Symmetry symmetry)
+      : clean_(clean), count_(count), name_(name), symmetry_(symmetry) {}
+
+  AnyHull bySections() {
+    repaired_ = repairedHull(clean_, name_, symmetry_);
+    AnyHull made;
+    made.panels = panelled(repaired_->hull, count_, name_);
+    made.by = PanelsBy::Sections;
+    made.volume = volumeOf(wholeWetSurface(repaired_->hull));
+    made.panelVolume = (repaired_->hull.symmetric ? 2 : 1) * volumeOf(made.panels);
+    made.hull = repaired_->hull;
+    made.done = repaired_->done;
+    return made;
+  }
+
+  /// A repaired hull of that volume is the better hull: it has the faces that were drawn.
+  AnyHull bySurface() {
+    OuterSurface outer = outerSurface(clean_, count_, name_, symmetry_);
+    AnyHull made;
+    made.panels = std::move(outer.panels);
+    made.by = PanelsBy::Surface;
+    made.volume = outer.volume;
+    made.panelVolume = outer.panelVolume;
+    const bool drawn = repaired_ && repaired_->hull.symmetric == outer.hull.symmetric &&
+                       isNear(volumeOf(wholeWetSurface(repaired_->hull)), outer.volume);
+    made.hull = drawn ? std::move(repaired_->hull) : std::move(outer.hull);
+    made.done = drawn ? repaired_->done : clean_.done;
+    made.done.insert(made.done.end(), outer.done.begin(), outer.done.end());
+    return made;
+  }
+
+  AnyHull either() {
+    std::string why;
+    try {
+      AnyHull made = bySections();
+      if (follows(made, outerVolume(clean_, name_), why)) return made;
+    } catch (const HydroError& error) {
+      why = error.what();
+      if (why.starts_with(name_ + ": ")) why.erase(0, name_.size() + 2);
+      why.erase(std::min(why.find("; use panels"), why.size()));
+    }
+    AnyHull made = bySurface();
+    made.done.push_back("laid panels over the surface; by sections, " + why);
+    return made;
+  }
+
+ private:
+  static bool isNear(double hull, double outer) { return std::abs(hull / outer - 1) <= kHullOff; }
+
+  bool follows(const AnyHull& made, double outer, std::string& why) const {
+    if (!isNear(made.volume, outer)) {
+      why = fmt::format("the hull would have {:.6g} m3 instead of {:.6g} m3", made.volume, outer);
+      return false;
+    }
+    if (std::abs(made.panelVolume / outer - 1) > std::max(kLeastLacking, kLacking / count_)) {
+      why = fmt::format("panels would have {:.6g} m3 instead of {:.6g} m3", made.panelVolume, outer);
+      return false;
+    }
+    return true;
+  }
+
+  const CleanSurface& clean_;
+  int count_;
+  const std::string& name_;
+  Symmetry symmetry_;
+  std::optional<RepairedHull> repaired_;
+};
+
+}  // namespace
+
+AnyHull anyHull(const SurfaceMesh& raw, int count, const std::string& name, Symmetry symmetry,
+                PanelsBy by) {
+  if (count < kFewestPanels || count > kMostPanels)
+    throw HydroError(Fault::ValueOutOfRange,
+                     fmt::format("{}: panels = {} must be in {} to {}", name, count, kFewestPanels,
+                                 kMostPanels));
+  const CleanSurface clean = cleanSurface(raw, name, symmetry);
+  AnyHullMaking making(clean, count, name, symmetry);
+  return by == PanelsBy::Sections  ? making.bySections()
+         : by == PanelsBy::Surface ? making.bySurface()
+                                   : making.either();
+}
+
+}  // namespace cutwater

@@ -1,0 +1,38 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "hydro/geometry/Hull.h"
+
+namespace cutwater {
+
+/// How panels are laid on a hull.
+enum class PanelsBy {
+  Auto,      ///< by sections where they follow the hull, else by the surface
+  Sections,  ///< rows between cuts across the hull (panelling/Panelling.h): for ships
+  Surface    ///< quadrilaterals over any outer surface (outer/SurfacePanels.h)
+};
+
+/// A hull with panels, made of whatever mesh there is, and what had to be done to it.
+///     const AnyHull ship = anyHull(readSurface("boat.obj"), 433, "boat.obj");
+///     for (const std::string& line : ship.done) std::puts(line.c_str());
+struct AnyHull {
+  Hull hull;
+  SurfaceMesh panels;        ///< of the port half if hull.symmetric, else of both sides
+  PanelsBy by = PanelsBy::Sections;  ///< the way that was taken
+  double volume = 0.0;       ///< [m³] of the outer surface below calm water
+  double panelVolume = 0.0;  ///< [m³] that the panels enclose, both sides
+  std::vector<std::string> done;  ///< one line each, for people
+};
+
+/// Repairs the mesh (repair/MeshRepair.h) and lays about `count` panels a side between sections.
+/// Where the mesh cannot be repaired, or sections cannot follow it, or what they enclose is not the
+/// volume from which a grid of water is kept out, the outer surface is found on that grid and the
+/// panels are laid on it. A repaired hull that has the right volume stays the hull.
+/// @param name  of the file, for messages.
+/// @throws HydroError as cleanSurface and outerSurface; with PanelsBy::Sections as repairedHull and
+///   panelled; ValueOutOfRange for a count below kFewestPanels or above kMostPanels.
+AnyHull anyHull(const SurfaceMesh& raw, int count, const std::string& name,
+                Symmetry symmetry = Symmetry::Auto, PanelsBy by = PanelsBy::Auto);
+
+}  // namespace cutwater
