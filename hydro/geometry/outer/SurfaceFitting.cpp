@@ -14,6 +14,9 @@ constexpr double kAlongEdge = 0.8;  // cosine of the angle up to which two edges
 constexpr int kReturns = 3;  // to the surface and to the plane that holds a vertex, in turn
 constexpr double kStep = 0.5;  // of the way to the middle, a round
 constexpr double kOfThickness = 0.2;
+constexpr double kFlat = 1e-3;     // of the way a vertex may go: lower heights are none
+constexpr double kMostShare = 4.0;  // of the height of the surface over the panels
+constexpr int kFillRounds = 8;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -199,32 +202,54 @@ void smooth(DualSurface& surface, const SurfaceTree& onto, int rounds) {
   }
 }
 
-void fillOut(DualSurface& surface, double volume, double most) {
+namespace {
+
+/// How far the surface stands out over the middles of the faces around each vertex, by area [m].
+std::vector<double> heights(const SurfaceMesh& mesh, const SurfaceTree& onto) {
+  std::vector<double> sum(mesh.vertices.size(), 0.0), area(sum.size(), 0.0);
+  for (const Face& f : mesh.faces) {
+    const Vec3 middle = meanCorner(mesh, f), vector = vectorArea(mesh, f);
+    const double height = (onto.nearest(middle) - middle).dot(vector.normalized());
+    for (int i = 0; i < f.size(); ++i) {
+      sum[at(f[i])] += vector.norm() * height;
+      area[at(f[i])] += vector.norm();
+    }
+  }
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = area[i] > 0 ? sum[i] / area[i] : 0.0;
+  return sum;
+}
+
+/// How far a vertex may go outwards [m]: a ray into the body finds the other side of a plate.
+double limitOf(const SurfaceTree& tree, const Vec3& vertex, const Vec3& outwards, double most) {
+  const Vec3 from = vertex - 0.01 * most * outwards;
+  for (double thickness = most / kOfThickness; thickness > 0.02 * most; thickness *= 0.5)
+    if (!tree.meets(from, -outwards, -1, thickness)) return kOfThickness * thickness;
+  return 0.0;
+}
+
+}  // namespace
+
+void fillOut(DualSurface& surface, const SurfaceTree& onto, double volume, double most) {
   const SurfaceMesh before = surface.mesh;
   const SurfaceTree tree(before);
   const std::vector<Vec3> push = pushes(surface);
-  // How far each may go: rays into the body find the other side of a plate.
+  const std::vector<double> height = heights(before, onto);
   std::vector<double> limit(push.size(), 0.0);
-  for (std::size_t i = 0; i < push.size(); ++i) {
-    if (push[i].norm() == 0) continue;
-    const Vec3 inwards = -push[i].normalized(), from = before.vertices[i] + 0.01 * most * inwards;
-    limit[i] = tree.meets(from, inwards, -1, most / kOfThickness) ? 0.0 : most;
-    for (double thickness = 0.5 * most / kOfThickness; limit[i] == 0.0 && thickness > 0.02 * most;
-         thickness *= 0.5)
-      if (!tree.meets(from, inwards, -1, thickness)) limit[i] = kOfThickness * thickness;
-  }
-  double way = 0.0;
-  for (int round = 0; round < 8; ++round) {
+  for (std::size_t i = 0; i < push.size(); ++i)
+    if (push[i].norm() > 0 && std::abs(height[i]) > kFlat * most)
+      limit[i] = limitOf(tree, before.vertices[i], push[i].normalized(), most);
+  double share = 0.0;  // of the height
+  const auto way = [&](std::size_t i) { return std::clamp(share * height[i], -limit[i], limit[i]); };
+  for (int round = 0; round < kFillRounds; ++round) {
     const double lacking = volume - volumeIntegrals(surface.mesh).volume;
-    double perWay = 0.0;
+    double perShare = 0.0;
     for (std::size_t i = 0; i < push.size(); ++i)
-      if (limit[i] > std::abs(way)) perWay += push[i].norm();
-    if (perWay <= 0) return;
-    way = std::clamp(way + lacking / perWay, -most, most);
+      if (limit[i] > std::abs(way(i))) perShare += push[i].norm() * height[i];
+    if (std::abs(perShare) < 1e-12 * volume) return;
+    share = std::clamp(share + lacking / perShare, -kMostShare, kMostShare);
     for (std::size_t i = 0; i < push.size(); ++i)
       if (limit[i] > 0)
-        surface.mesh.vertices[i] =
-            before.vertices[i] + std::clamp(way, -limit[i], limit[i]) * push[i].normalized();
+        surface.mesh.vertices[i] = before.vertices[i] + way(i) * push[i].normalized();
   }
 }
 

@@ -4,8 +4,8 @@
 
 /// From a dual surface to panels:
 ///     mergeShortEdges(surface, 0.25 * length);
-///     smooth(surface, SurfaceTree(fine), 8);
-///     fillOut(surface, volume, 0.03 * length);
+///     smooth(surface, tree, 8);
+///     fillOut(surface, tree, volume, 0.03 * length);
 namespace cutwater {
 
 /// Merges the ends of edges shorter than `shortest` [m], the shortest first. The vertex that is held
@@ -18,10 +18,12 @@ void mergeShortEdges(DualSurface& surface, double shortest);
 /// @param onto  the surface that the vertices shall lie on.
 void smooth(DualSurface& surface, const SurfaceTree& onto, int rounds);
 
-/// Moves vertices of smooth places along their normals, all by the same way, until the volume is
-/// the one wanted: panels inscribed in a round body lack some.
-/// @param volume  [m³] of what the surface encloses with the planes that it is open on.
-/// @param most  [m] how far a vertex may move; nor by more than a fifth of the thickness there.
-void fillOut(DualSurface& surface, double volume, double most);
+/// Moves vertices of smooth places outwards until the volume is the one wanted: panels inscribed in
+/// a round body lack some. Each moves in proportion to the height of the surface over the faces
+/// around it, so that flat faces stay where they are.
+/// @param onto    the surface that the panels stand for.
+/// @param volume  [m³] that it encloses with the planes that it is open on.
+/// @param most    [m] how far a vertex may move; nor by more than a fifth of the thickness there.
+void fillOut(DualSurface& surface, const SurfaceTree& onto, double volume, double most);
 
 }  // namespace cutwater

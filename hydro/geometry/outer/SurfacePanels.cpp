@@ -117,9 +117,10 @@ class SurfacePanels {
     out.hull = {half_ ? bothHalves(hull.mesh) : hull.mesh, half_, false};
     out.hull.closed = openEdges(out.hull.surface).empty();
     DualSurface panels = panelsOf(water, step, fine.top, length);
-    smooth(panels, SurfaceTree(wet), kRounds);
+    const SurfaceTree surface(wet);
+    smooth(panels, surface, kRounds);
     panels.mesh.faces = tidied(panels.mesh);
-    fillOut(panels, out.volume / sides, kMostMove * length);
+    fillOut(panels, surface, out.volume / sides, kMostMove * length);
     out.panels = welded(withSplitWaterCorners(panels.mesh), 0.0);
     out.panelVolume = sides * volumeIntegrals(out.panels).volume;
     out.betweenPanels = partsBetweenNodes(water, step, fine.top);
