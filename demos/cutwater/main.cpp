@@ -29,6 +29,7 @@ struct Arguments {
   std::vector<std::string> runs;
   command::PoseOptions poses;
   int threads = 0, panels = 0;
+  std::string panelsBy = "auto";
   bool free = false;
   command::RunColumns columns;
 };
@@ -96,9 +97,11 @@ void addPanel(CLI::App& app, Arguments& a) {
   sub->add_option("--waterline", a.mesh.waterline, "height of calm water in it; default 0");
   sub->add_option("--symmetric", a.mesh.symmetric, "auto (default), none or half")
       ->check(CLI::IsMember(command::kSymmetryNames));
+  sub->add_option("--by", a.panelsBy, "auto (default), sections (ships) or surface (anything)")
+      ->check(CLI::IsMember(command::kPanelsByNames));
   sub->callback([&a] {
     checkFiles(a);
-    command::panel(a.input, a.panels, a.mesh, a.out);
+    command::panel(a.input, a.panels, a.mesh, command::panelsBy(a.panelsBy), a.out);
   });
 }
 

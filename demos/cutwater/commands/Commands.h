@@ -29,7 +29,7 @@ struct PoseOptions {
 };
 void buoyancy(const std::string& ship, const PoseOptions& poses, const std::string& out);
 /// Panels for `hull`, a mesh (read with `options`) or a SHIP.toml, written as OBJ in hull axes.
-void panel(const std::string& hull, int count, const MeshReadOptions& options,
+void panel(const std::string& hull, int count, const MeshReadOptions& options, PanelsBy by,
            const std::string& out);
 void solve(const std::string& ship, const std::string& database, int threads);
 void info(const std::string& database, const std::string& out);

@@ -12,24 +12,27 @@ namespace cutwater::command {
 
 namespace {
 
-PanelledHull readAny(const std::string& hull, int count, const MeshReadOptions& options) {
-  if (std::filesystem::path(hull).extension() != ".toml") return readPanelled(hull, options, count);
+PanelledHull readAny(const std::string& hull, int count, const MeshReadOptions& options,
+                     PanelsBy by) {
+  if (std::filesystem::path(hull).extension() != ".toml")
+    return readPanelled(hull, options, count, by);
   TomlFile file(hull);
   return readHullSection(file, count);
 }
 
 }  // namespace
 
-void panel(const std::string& hull, int count, const MeshReadOptions& options,
+void panel(const std::string& hull, int count, const MeshReadOptions& options, PanelsBy by,
            const std::string& out) {
-  const PanelledHull made = readAny(hull, count, options);
+  const PanelledHull made = readAny(hull, count, options, by);
   const SurfaceMesh wet = wholeWet(made);
   const std::size_t panels = made.panels.faces.size();
   const Vec3 size = bounds(wet).high - bounds(wet).low;
   const double whole =
       volumeIntegrals(displacingSurface({made.surface, made.symmetric, false})).volume;
   const std::string about = fmt::format(
-      "{} panels{}, {:.4g} x {:.4g} x {:.4g} m, volume {:.6g} m3 of the hull's {:.6g} m3, area {:.6g} m2",
+      "{} panels{}, {:.4g} x {:.4g} x {:.4g} m, volume {:.6g} m3 of the hull's {:.6g} m3, area "
+      "{:.6g} m2",
       panels, made.symmetric ? " a side" : "", size.x(), size.y(), size.z(),
       volumeIntegrals(wet).volume, whole, surfaceArea(wet));
   writeObj(

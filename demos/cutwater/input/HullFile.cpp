@@ -17,9 +17,10 @@ constexpr double kVolumeOff = 0.01;  // from here on it is said
 void warnOfVolume(const std::string& mesh, const AnyHull& made) {
   const double off = made.panelVolume / made.volume - 1;
   if (std::abs(off) <= kVolumeOff) return;
-  warn(fmt::format("{}: panels enclose {:.6g} m3, the hull {:.6g} m3 ({:+.1f} %); more panels "
-                   "follow it better",
-                   mesh, made.panelVolume, made.volume, 100 * off));
+  warn(
+      fmt::format("{}: panels enclose {:.6g} m3, the hull {:.6g} m3 ({:+.1f} %); more panels "
+                  "follow it better",
+                  mesh, made.panelVolume, made.volume, 100 * off));
 }
 
 }  // namespace
@@ -30,12 +31,12 @@ PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& option
   AnyHull made = readAnyHull(mesh, *count, options, by);
   for (const std::string& line : made.done) say(mesh + ": " + line);
   warnOfVolume(mesh, made);
-  return {std::move(made.hull.surface), std::move(made.panels), made.hull.symmetric,
-          made.hull.file, made.by == PanelsBy::Surface};
+  return {std::move(made.hull.surface), std::move(made.panels), made.hull.symmetric, made.hull.file,
+          made.by == PanelsBy::Surface};
 }
 
 PanelsBy panelsBy(const std::string& name) {
-  return name == "sections" ? PanelsBy::Sections
+  return name == "sections"  ? PanelsBy::Sections
          : name == "surface" ? PanelsBy::Surface
                              : PanelsBy::Auto;
 }

@@ -80,7 +80,8 @@ class AnyHullMaking {
       return false;
     }
     if (std::abs(made.panelVolume / outer - 1) > std::max(kLeastLacking, kLacking / count_)) {
-      why = fmt::format("panels would have {:.6g} m3 instead of {:.6g} m3", made.panelVolume, outer);
+      why =
+          fmt::format("panels would have {:.6g} m3 instead of {:.6g} m3", made.panelVolume, outer);
       return false;
     }
     return true;
@@ -98,9 +99,8 @@ class AnyHullMaking {
 AnyHull anyHull(const SurfaceMesh& raw, int count, const std::string& name, Symmetry symmetry,
                 PanelsBy by) {
   if (count < kFewestPanels || count > kMostPanels)
-    throw HydroError(Fault::ValueOutOfRange,
-                     fmt::format("{}: panels = {} must be in {} to {}", name, count, kFewestPanels,
-                                 kMostPanels));
+    throw HydroError(Fault::ValueOutOfRange, fmt::format("{}: panels = {} must be in {} to {}",
+                                                         name, count, kFewestPanels, kMostPanels));
   const CleanSurface clean = cleanSurface(raw, name, symmetry);
   AnyHullMaking making(clean, count, name, symmetry);
   return by == PanelsBy::Sections  ? making.bySections()

@@ -18,11 +18,11 @@ enum class PanelsBy {
 ///     for (const std::string& line : ship.done) std::puts(line.c_str());
 struct AnyHull {
   Hull hull;
-  SurfaceMesh panels;        ///< of the port half if hull.symmetric, else of both sides
+  SurfaceMesh panels;                ///< of the port half if hull.symmetric, else of both sides
   PanelsBy by = PanelsBy::Sections;  ///< the way that was taken
-  double volume = 0.0;       ///< [m³] of the outer surface below calm water
-  double panelVolume = 0.0;  ///< [m³] that the panels enclose, both sides
-  std::vector<std::string> done;  ///< one line each, for people
+  double volume = 0.0;               ///< [m³] of the outer surface below calm water
+  double panelVolume = 0.0;          ///< [m³] that the panels enclose, both sides
+  std::vector<std::string> done;     ///< one line each, for people
 };
 
 /// Repairs the mesh (repair/MeshRepair.h) and lays about `count` panels a side between sections.

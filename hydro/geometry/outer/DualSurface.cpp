@@ -53,7 +53,8 @@ class Dual {
  private:
   /// The quadrilateral of the four cells around an edge; none on the grid's boundary.
   void addFace(const SurfaceCrossing& c, int axis) {
-    const auto a = static_cast<std::size_t>((axis + 1) % 3), b = static_cast<std::size_t>((axis + 2) % 3);
+    const auto a = static_cast<std::size_t>((axis + 1) % 3),
+               b = static_cast<std::size_t>((axis + 2) % 3);
     const SpaceGrid::Index at = grid_.index(c.node);
     if (at[a] == 0 || at[b] == 0 || at[a] + 1 >= grid_.count(static_cast<int>(a)) ||
         at[b] + 1 >= grid_.count(static_cast<int>(b)))
@@ -64,7 +65,8 @@ class Dual {
       SpaceGrid::Index cell = at;
       cell[a] -= kAround[i][0];
       cell[b] -= kAround[i][1];
-      face.v[i] = verticesOf(cell)[static_cast<std::size_t>(edgeOf(axis, kAround[i][0], kAround[i][1]))];
+      face.v[i] =
+          verticesOf(cell)[static_cast<std::size_t>(edgeOf(axis, kAround[i][0], kAround[i][1]))];
     }
     if (water_.wet(c.node)) std::reverse(face.v.begin(), face.v.end());
     out_.mesh.faces.push_back(face);
@@ -84,7 +86,8 @@ class Dual {
     CellVertices vertices;
     vertices.fill(-1);
     for (int root = 0; root < kEdges; ++root) {
-      if (crossing[static_cast<std::size_t>(root)] == nullptr || pieces.root(root) != root) continue;
+      if (crossing[static_cast<std::size_t>(root)] == nullptr || pieces.root(root) != root)
+        continue;
       std::vector<int> edges;
       for (int e = 0; e < kEdges; ++e)
         if (crossing[static_cast<std::size_t>(e)] != nullptr && pieces.root(e) == root)

@@ -6,10 +6,11 @@ namespace cutwater {
 
 /// What holds a vertex of a dual surface.
 struct VertexHold {
-  int planes = 1;            ///< faces of so many directions meet there: 1 on a smooth surface, 2 on
-                             ///< an edge, 3 at a corner
+  int planes = 1;  ///< faces of so many directions meet there: 1 on a smooth surface, 2 on
+                   ///< an edge, 3 at a corner
   Vec3 along = Vec3::Zero();  ///< of the edge, where planes = 2: unit
-  bool onCentreplane = false, onWater = false;  ///< it lies on a boundary of the grid and stays there
+  bool onCentreplane = false,
+       onWater = false;  ///< it lies on a boundary of the grid and stays there
 };
 
 /// The outer surface that a grid of water sees, as quadrilaterals: one for each crossing, a vertex

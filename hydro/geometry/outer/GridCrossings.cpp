@@ -35,9 +35,7 @@ double segmentDistance(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
 GridCrossings::GridCrossings(const SurfaceMesh& triangles, const SpaceGrid& grid,
                              double openTolerance)
     : blocked_(grid.nodes(), 0) {
-  parallelFor(3, 0, [&](std::size_t axis) {
-    rasterize(triangles, grid, static_cast<int>(axis));
-  });
+  parallelFor(3, 0, [&](std::size_t axis) { rasterize(triangles, grid, static_cast<int>(axis)); });
   for (int axis = 0; axis < 3; ++axis)
     for (const GridCrossing& c : along(axis))
       blocked_[c.node] = static_cast<std::uint8_t>(blocked_[c.node] | 1 << axis);
@@ -53,8 +51,10 @@ void GridCrossings::rasterize(const SurfaceMesh& triangles, const SpaceGrid& gri
                v = triangles.corner(face, 2) - p;
     const double det = u[a] * v[b] - u[b] * v[a];
     if (std::abs(det) <= kAlong * u.norm() * v.norm()) continue;
-    const double lowA = p[a] + std::min({0.0, u[a], v[a]}), highA = p[a] + std::max({0.0, u[a], v[a]});
-    const double lowB = p[b] + std::min({0.0, u[b], v[b]}), highB = p[b] + std::max({0.0, u[b], v[b]});
+    const double lowA = p[a] + std::min({0.0, u[a], v[a]}),
+                 highA = p[a] + std::max({0.0, u[a], v[a]});
+    const double lowB = p[b] + std::min({0.0, u[b], v[b]}),
+                 highB = p[b] + std::max({0.0, u[b], v[b]});
     const int firstB = grid.above(b, lowB);
     SpaceGrid::Index at{};
     for (int i = grid.above(a, lowA); i < grid.count(a) && grid.plane(a, i) <= highA; ++i) {
@@ -79,7 +79,8 @@ void GridCrossings::rasterize(const SurfaceMesh& triangles, const SpaceGrid& gri
 
 void GridCrossings::blockLooseEdges(const SurfaceMesh& triangles, const SpaceGrid& grid,
                                     double tolerance) {
-  const double piece = kPiece * (grid.plane(0, grid.count(0) - 1) - grid.plane(0, 0)) / grid.count(0);
+  const double piece =
+      kPiece * (grid.plane(0, grid.count(0) - 1) - grid.plane(0, 0)) / grid.count(0);
   for (const OpenEdge& e : looseEdges(triangles)) {
     const Vec3 &p = triangles.vertices[static_cast<std::size_t>(e.from)],
                along = triangles.vertices[static_cast<std::size_t>(e.to)] - p;

@@ -14,7 +14,7 @@ constexpr double kOff = 1e-5, kOffX = 0.37 * kOff, kOffY = 0.53 * kOff, kOffZ = 
 constexpr double kBelowWater[] = {0.3, 0.9, 1.9};
 // Of planes nearer to a thin part's than this many lengths there is no need.
 constexpr double kNear = 0.55;
-constexpr double kApart = 0.2;  // lengths between two planes of thin parts
+constexpr double kApart = 0.2;   // lengths between two planes of thin parts
 constexpr double kMargin = 1.4;  // lengths beyond the body
 
 /// Extra planes take the place of those near them; the first and the last may have to stay.
@@ -23,9 +23,8 @@ void insert(std::vector<double>& planes, const std::vector<double>& extra, doubl
   std::vector<double> kept = extra;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const bool stays = (i == 0 && keepFirst) || (i + 1 == planes.size() && keepLast);
-    if (stays || std::all_of(extra.begin(), extra.end(), [&](double e) {
-          return std::abs(planes[i] - e) > kNear * length;
-        }))
+    if (stays || std::all_of(extra.begin(), extra.end(),
+                             [&](double e) { return std::abs(planes[i] - e) > kNear * length; }))
       kept.push_back(planes[i]);
   }
   std::sort(kept.begin(), kept.end());
@@ -103,6 +102,13 @@ std::pair<Run, double> densest(const std::vector<Run>& runs, double window) {
   return {runs.empty() ? Run{} : runs[(bestFirst + bestLast) / 2], most};
 }
 
+double areaNear(const std::vector<Run>& runs, double middle, double reach) {
+  double area = 0.0;
+  for (const Run& run : runs)
+    if (std::abs(run.middle - middle) < reach) area += run.area;
+  return area;
+}
+
 }  // namespace
 
 SpaceGrid::Planes coarsePlanes(const GridPlan& plan) {
@@ -146,7 +152,8 @@ FinePlanes finePlanes(const SpaceGrid::Planes& coarse, int step, double highest)
 
 SpaceGrid::Planes planesOfThinParts(const WaterGrid& water, const GridCrossings& crossings,
                                     double length, bool half) {
-  constexpr double kLongest = 1.02, kWindow = 0.08, kLeastArea = 2.0;
+  // An oblique plate has its middles all over the place: planes do not help it.
+  constexpr double kLongest = 1.02, kWindow = 0.08, kLeastArea = 2.0, kDense = 0.3;
   constexpr std::size_t kMost = 12;
   SpaceGrid::Planes found;
   for (int axis = 0; axis < 3; ++axis) {
@@ -160,8 +167,9 @@ SpaceGrid::Planes planesOfThinParts(const WaterGrid& water, const GridCrossings&
     while (planes.size() < kMost) {
       const auto [part, area] = densest(runs, kWindow * length);
       if (area < kLeastArea * length * length) break;
+      const bool alongAxis = area > kDense * areaNear(runs, part.middle, kNear * length);
       const bool onCentreplane = mirrored && part.middle < 0.2 * length;
-      planes.push_back(onCentreplane ? 0.25 * part.length : part.middle);
+      if (alongAxis) planes.push_back(onCentreplane ? 0.25 * part.length : part.middle);
       std::erase_if(runs, [&, middle = part.middle](const Run& run) {
         return std::abs(run.middle - middle) < kApart * length;
       });

@@ -6,9 +6,9 @@ namespace cutwater {
 
 /// Planes of a grid around a body: where its panels' corners will lie between.
 struct GridPlan {
-  Bounds body;           ///< of the body's wet and dry part [m]
-  double length = 1.0;   ///< between planes [m]
-  bool half = false;     ///< only y ≥ 0
+  Bounds body;                   ///< of the body's wet and dry part [m]
+  double length = 1.0;           ///< between planes [m]
+  bool half = false;             ///< only y ≥ 0
   SpaceGrid::Planes extra = {};  ///< planes that thin parts need, by axis
 };
 

@@ -14,10 +14,10 @@
 namespace cutwater {
 namespace {
 
-constexpr double kSlit = 1e-3;        // of the length
-constexpr double kLeaked = 2e-3;      // of the volume, lost through holes
-constexpr double kMostlyWet = 0.5;    // share of the area with water on both sides
-constexpr double kNoMirror = 0.0;     // symmetry is not asked for here
+constexpr double kSlit = 1e-3;      // of the length
+constexpr double kLeaked = 2e-3;    // of the volume, lost through holes
+constexpr double kMostlyWet = 0.5;  // share of the area with water on both sides
+constexpr double kNoMirror = 0.0;   // symmetry is not asked for here
 
 double lengthOf(const SurfaceMesh& mesh) {
   const Bounds box = bounds(mesh);

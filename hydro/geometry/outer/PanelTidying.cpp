@@ -68,8 +68,8 @@ void addPolygon(const SurfaceMesh& mesh, const Corners& c, std::vector<Face>& ou
     for (std::size_t i = 0; i < n; ++i) {
       const Corners rest{c[i], c[(i + 2) % n], c[(i + 3) % n], c[(i + 4) % n]};
       const Corners cut{c[i], c[(i + 1) % n], c[(i + 2) % n]};
-      const double good = std::min({fanGoodness(mesh, rest, 0), fanGoodness(mesh, rest, 1),
-                                    fanGoodness(mesh, cut, 0)});
+      const double good = std::min(
+          {fanGoodness(mesh, rest, 0), fanGoodness(mesh, rest, 1), fanGoodness(mesh, cut, 0)});
       if (good > most) most = good, best = i;
     }
     out.push_back(faceOf(c[best], c[(best + 1) % n], c[(best + 2) % n]));

@@ -16,7 +16,9 @@ class SpaceGrid {
   /// @param planes  [m], of each axis two or more, rising.
   explicit SpaceGrid(Planes planes);
 
-  const std::vector<double>& planes(int axis) const { return planes_[static_cast<std::size_t>(axis)]; }
+  const std::vector<double>& planes(int axis) const {
+    return planes_[static_cast<std::size_t>(axis)];
+  }
   double plane(int axis, int i) const { return planes(axis)[static_cast<std::size_t>(i)]; }
   int count(int axis) const { return static_cast<int>(planes(axis).size()); }
   std::size_t nodes() const { return stride_[2] * planes_[2].size(); }
@@ -26,8 +28,7 @@ class SpaceGrid {
            static_cast<std::size_t>(at[2]) * stride_[2];
   }
   Index index(std::size_t node) const {
-    return {static_cast<int>(node % stride_[1]),
-            static_cast<int>(node % stride_[2] / stride_[1]),
+    return {static_cast<int>(node % stride_[1]), static_cast<int>(node % stride_[2] / stride_[1]),
             static_cast<int>(node / stride_[2])};
   }
   Vec3 place(const Index& at) const { return {plane(0, at[0]), plane(1, at[1]), plane(2, at[2])}; }

@@ -11,10 +11,10 @@ namespace cutwater {
 namespace {
 
 constexpr double kAlongEdge = 0.8;  // cosine of the angle up to which two edges are one
-constexpr int kReturns = 3;  // to the surface and to the plane that holds a vertex, in turn
-constexpr double kStep = 0.5;  // of the way to the middle, a round
+constexpr int kReturns = 3;         // to the surface and to the plane that holds a vertex, in turn
+constexpr double kStep = 0.5;       // of the way to the middle, a round
 constexpr double kOfThickness = 0.2;
-constexpr double kFlat = 1e-3;     // of the way a vertex may go: lower heights are none
+constexpr double kFlat = 1e-3;      // of the way a vertex may go: lower heights are none
 constexpr double kMostShare = 4.0;  // of the height of the surface over the panels
 constexpr int kFillRounds = 8;
 
@@ -173,8 +173,7 @@ std::vector<Vec3> middles(const SurfaceMesh& mesh) {
 std::vector<Vec3> pushes(const DualSurface& s) {
   std::vector<Vec3> push(s.mesh.vertices.size(), Vec3::Zero());
   for (const Face& f : s.mesh.faces)
-    for (int i = 0; i < f.size(); ++i)
-      push[at(f[i])] += vectorArea(s.mesh, f) / f.size();
+    for (int i = 0; i < f.size(); ++i) push[at(f[i])] += vectorArea(s.mesh, f) / f.size();
   for (std::size_t i = 0; i < push.size(); ++i) {
     if (!mayMove(s.hold[i])) push[i].setZero();
     if (s.hold[i].onCentreplane) push[i].y() = 0.0;
@@ -239,7 +238,9 @@ void fillOut(DualSurface& surface, const SurfaceTree& onto, double volume, doubl
     if (push[i].norm() > 0 && std::abs(height[i]) > kFlat * most)
       limit[i] = limitOf(tree, before.vertices[i], push[i].normalized(), most);
   double share = 0.0;  // of the height
-  const auto way = [&](std::size_t i) { return std::clamp(share * height[i], -limit[i], limit[i]); };
+  const auto way = [&](std::size_t i) {
+    return std::clamp(share * height[i], -limit[i], limit[i]);
+  };
   for (int round = 0; round < kFillRounds; ++round) {
     const double lacking = volume - volumeIntegrals(surface.mesh).volume;
     double perShare = 0.0;

@@ -18,12 +18,12 @@
 namespace cutwater {
 namespace {
 
-constexpr int kFine = 8;              // planes of the fine grid in one length of the panels
-constexpr std::size_t kMostNodes = 40000000;   // of the fine grid
-constexpr double kMirrorTolerance = 1e-3;  // of the size
-constexpr double kShortest = 0.3;     // of the panels' length: shorter edges are merged
-constexpr int kRounds = 8;            // of smoothing
-constexpr double kMostMove = 0.03;    // of the panels' length
+constexpr int kFine = 8;                      // planes of the fine grid in one length of the panels
+constexpr std::size_t kMostNodes = 40000000;  // of the fine grid
+constexpr double kMirrorTolerance = 1e-3;     // of the size
+constexpr double kShortest = 0.3;             // of the panels' length: shorter edges are merged
+constexpr int kRounds = 8;                    // of smoothing
+constexpr double kMostMove = 0.03;            // of the panels' length
 constexpr int kTries = 6;
 constexpr double kCloseEnough = 0.05;  // of the count
 constexpr double kVolumeOff = 0.004, kFiner = 0.9, kMostPanels = 1.5;
@@ -133,17 +133,18 @@ class SurfacePanels {
   void say(OuterSurface& s, int count) {
     s.done = done_;
     if (survey_.plateArea > kWorthSaying * survey_.area)
-      s.done.push_back(fmt::format(
-          "left out plates that the water touches on both sides, {:.3g} m2, one at {}",
-          survey_.plateArea, placeText(survey_.platePlace)));
-    for (const auto& [lost, what] : {std::pair(s.betweenPanels, "panels"), std::pair(s.thin, "hull")})
+      s.done.push_back(
+          fmt::format("left out plates that the water touches on both sides, {:.3g} m2, one at {}",
+                      survey_.plateArea, placeText(survey_.platePlace)));
+    for (const auto& [lost, what] :
+         {std::pair(s.betweenPanels, "panels"), std::pair(s.thin, "hull")})
       if (lost.volume > kWorthSaying * s.volume)
         s.done.push_back(fmt::format(
             "left out of the {} parts too thin for so many panels, {:.3g} m3 ({:.2g} %), one at {}",
             what, lost.volume, 100 * lost.volume / s.volume, placeText(lost.place)));
     if (aSide(s) > (1 + 2 * kCloseEnough) * count)
-      s.done.push_back(fmt::format("took {:.0f} panels a side instead of {}, for its volume",
-                                   aSide(s), count));
+      s.done.push_back(
+          fmt::format("took {:.0f} panels a side instead of {}, for its volume", aSide(s), count));
   }
 
   SurfaceMesh mesh_;

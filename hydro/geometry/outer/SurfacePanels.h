@@ -11,12 +11,12 @@ namespace cutwater {
 ///     const OuterSurface outer = outerSurface(
 ///         cleanSurface(readSurface("boat.obj"), "boat.obj", Symmetry::Auto), 433, "boat.obj", Symmetry::Auto);
 struct OuterSurface {
-  Hull hull;           ///< closed, both sides; a bowl is filled to its lowest rim
-  SurfaceMesh panels;  ///< of the port half if hull.symmetric, else of both sides
-  double volume = 0.0;      ///< below calm water, of the hull [m³]
-  double panelVolume = 0.0; ///< of the panels, both sides [m³]
-  LostParts betweenPanels;  ///< parts that the panels do not show
-  LostParts thin;           ///< parts that the hull does not show either
+  Hull hull;                      ///< closed, both sides; a bowl is filled to its lowest rim
+  SurfaceMesh panels;             ///< of the port half if hull.symmetric, else of both sides
+  double volume = 0.0;            ///< below calm water, of the hull [m³]
+  double panelVolume = 0.0;       ///< of the panels, both sides [m³]
+  LostParts betweenPanels;        ///< parts that the panels do not show
+  LostParts thin;                 ///< parts that the hull does not show either
   std::vector<std::string> done;  ///< one line each, for people
 };
 

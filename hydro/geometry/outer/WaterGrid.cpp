@@ -99,9 +99,9 @@ void WaterGrid::sampleCrossings(const WaterGrid& fine, int step, int axis) {
 
 const SurfaceCrossing* WaterGrid::on(std::size_t node, int axis) const {
   const std::vector<SurfaceCrossing>& list = along(axis);
-  const auto found = std::lower_bound(
-      list.begin(), list.end(), node,
-      [](const SurfaceCrossing& c, std::size_t n) { return c.node < n; });
+  const auto found =
+      std::lower_bound(list.begin(), list.end(), node,
+                       [](const SurfaceCrossing& c, std::size_t n) { return c.node < n; });
   return found != list.end() && found->node == node ? &*found : nullptr;
 }
 

@@ -37,7 +37,8 @@ double along(const SurfaceMesh& triangles, int face, int axis) {
 }
 
 /// Places where the water meets the surface, and the faces met.
-std::vector<Vec3> placesOf(const SurfaceMesh& triangles, const WaterGrid& water, SurfaceMesh& seen) {
+std::vector<Vec3> placesOf(const SurfaceMesh& triangles, const WaterGrid& water,
+                           SurfaceMesh& seen) {
   std::vector<Vec3> places;
   std::vector<bool> isSeen(triangles.faces.size(), false);
   for (int axis = 0; axis < 3; ++axis) {
@@ -89,7 +90,7 @@ void measurePlates(const SurfaceMesh& triangles, WaterSurvey& s) {
     for (const GridCrossing& c : s.crossings.along(axis)) {
       if (!s.water.wet(c.node) || !s.water.wet(c.node + grid.stride(axis))) continue;
       const auto [first, last] = s.crossings.on(c.node, axis);
-      if (last - first != 1) continue;  // a thin body
+      if ((last - 1)->at - first->at > 1e-6 * s.spacing || first != &c) continue;  // a thin body
       if (s.plateArea == 0.0) {
         s.platePlace = grid.place(grid.index(c.node));
         s.platePlace[axis] = c.at;

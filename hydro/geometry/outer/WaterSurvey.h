@@ -7,13 +7,13 @@ namespace cutwater {
 struct WaterSurvey {
   WaterGrid water;
   GridCrossings crossings;
-  double spacing = 0.0;      ///< of the grid [m]
-  Bounds wet;                ///< of what is below water [m]
-  bool symmetric = false;    ///< the outer surface below water is its own mirror image in y = 0
-  double area = 0.0;         ///< of the outer surface below water [m²]
-  double volume = 0.0;       ///< below water, by counting nodes [m³]
-  Vec3 middle = Vec3::Zero();      ///< of that volume [m]
-  double plateArea = 0.0;    ///< of faces with water on both sides [m²]
+  double spacing = 0.0;        ///< of the grid [m]
+  Bounds wet;                  ///< of what is below water [m]
+  bool symmetric = false;      ///< the outer surface below water is its own mirror image in y = 0
+  double area = 0.0;           ///< of the outer surface below water [m²]
+  double volume = 0.0;         ///< below water, by counting nodes [m³]
+  Vec3 middle = Vec3::Zero();  ///< of that volume [m]
+  double plateArea = 0.0;      ///< of faces with water on both sides [m²]
   Vec3 platePlace = Vec3::Zero();  ///< the middle of one of them
 };
 

@@ -70,7 +70,12 @@ void mirror(CleanSurface& s, const std::string& name, Symmetry symmetry) {
 CleanSurface cleanSurface(const SurfaceMesh& raw, const std::string& name, Symmetry symmetry) {
   CleanSurface s{raw, 0.0, {}};
   checkVertices(s.mesh, name);
-  checkInWater(bounds(s.mesh), name);
+  const Bounds box = bounds(s.mesh);
+  if (box.high.z() < 0)
+    s.done.push_back(fmt::format("is wholly below calm water, z from {:.6g} to {:.6g} m",
+                                 box.low.z(), box.high.z()));
+  else
+    checkInWater(box, name);
   mergeVertices(s, name);
   mirror(s, name, symmetry);
   return s;

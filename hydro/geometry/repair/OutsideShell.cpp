@@ -45,6 +45,10 @@ class ShellFinder {
     look();
     if (firstHidden() != nullptr) {
       SplitSurface split = splitWhereCrossing(wet_);
+      if (split.gaveUp)
+        throw HydroError(Fault::ShellsNotJoined,
+                         name_ + ": too many shells pass through one another, first at " +
+                             placeText(split.first));
       if (split.split > 0) {
         say(fmt::format("joined shells that pass through one another, split {}, the first at {}",
                         counted(split.split, "face"), placeText(split.first)));

@@ -83,6 +83,9 @@ void splitBy(const CutPlane& plane, const Triangle& t, double tolerance,
       out.push_back({part[0], part[i], part[i + 1]});
 }
 
+// To look at each part from the water takes some milliseconds.
+constexpr std::size_t kMostParts = 3000;
+
 class Splitter {
  public:
   explicit Splitter(const SurfaceMesh& mesh)
@@ -90,9 +93,10 @@ class Splitter {
 
   SplitSurface split() {
     out_.mesh.vertices = mesh_.vertices;
-    for (std::size_t f = 0; f < mesh_.faces.size(); ++f)
+    for (std::size_t f = 0; f < mesh_.faces.size() && !out_.gaveUp; ++f)
       for (int i = 1; i + 1 < mesh_.faces[f].size(); ++i)
         addFace(f, {mesh_.faces[f][0], mesh_.faces[f][i], mesh_.faces[f][i + 1]});
+    if (out_.gaveUp) return std::move(out_);
     const std::size_t whole = out_.mesh.faces.size();
     out_.firstCut = static_cast<int>(welded(out_.mesh, 0.0).vertices.size());
     const double together = kTogether / kOnPlane * tolerance_;
@@ -129,6 +133,7 @@ class Splitter {
       parts_.vertices.insert(parts_.vertices.end(), f.begin(), f.end());
       parts_.faces.push_back({{first, first + 1, first + 2, -1}});
     }
+    out_.gaveUp = parts_.faces.size() > kMostParts;
   }
 
   /// Triangles without a common vertex that pass through this one.

@@ -14,6 +14,7 @@ struct SplitSurface {
   int firstCut = 0;           ///< vertices from here on were made by splitting
   std::size_t split = 0;      ///< faces that were split
   Vec3 first = Vec3::Zero();  ///< a corner of the first of them
+  bool gaveUp = false;        ///< there would be thousands of parts; the mesh is of no use
 };
 
 /// Divides every face where others pass through it, along the plane of the other. Then it divides

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hydro/geometry/MeshIntegrals.h"
+#include "hydro/geometry/PlaceText.h"
 #include "hydro/geometry/repair/OutsideShell.h"
 #include "tests/support/Hulls.h"
 #include "tests/support/Meshes.h"
