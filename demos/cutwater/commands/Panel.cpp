@@ -17,7 +17,7 @@ PanelledHull readAny(const std::string& hull, int count, const MeshReadOptions& 
   if (std::filesystem::path(hull).extension() != ".toml")
     return readPanelled(hull, options, count, by);
   TomlFile file(hull);
-  return readHullSection(file, count);
+  return readHullSection(file, count, by);
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ std::string adviceFor(const TomlSection& hull, const std::string& mesh, Fault fa
 
 }  // namespace
 
-PanelledHull readHullSection(TomlFile& file, std::optional<int> count) {
+PanelledHull readHullSection(TomlFile& file, std::optional<int> count, PanelsBy by) {
   TomlSection hull = file.section("hull");
   if (!hull.has("mesh")) hull.refuse("mesh", "is missing; it names the hull file");
   const std::string mesh = hull.file("mesh");
@@ -81,10 +81,10 @@ PanelledHull readHullSection(TomlFile& file, std::optional<int> count) {
   } else {
     hull.text("panels", "as-is", {"as-is"});
   }
-  const std::string by = hull.text("panels_by", "auto", kPanelsByNames);
+  const PanelsBy own = panelsBy(hull.text("panels_by", "auto", kPanelsByNames));
   hull.finish();
   try {
-    return readPanelled(mesh, options, panels, panelsBy(by));
+    return readPanelled(mesh, options, panels, by == PanelsBy::Auto ? own : by);
   } catch (const HydroError& error) {
     throw HydroError(error.fault(), error.what() + adviceFor(hull, mesh, error.fault(), panels));
   }

@@ -24,7 +24,9 @@ PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& option
 /// One of kPanelsByNames.
 PanelsBy panelsBy(const std::string& name);
 
-/// The [hull] section of a SHIP.toml. `count` overrides its `panels`.
-PanelledHull readHullSection(TomlFile& file, std::optional<int> count = {});
+/// The [hull] section of a SHIP.toml. `count` overrides its `panels`, `by` its `panels_by` if it is
+/// not Auto.
+PanelledHull readHullSection(TomlFile& file, std::optional<int> count = {},
+                             PanelsBy by = PanelsBy::Auto);
 
 }  // namespace cutwater::command

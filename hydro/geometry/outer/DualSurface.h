@@ -18,8 +18,8 @@ struct VertexHold {
 /// A vertex is where the planes of the faces met in its cell come nearest to one another, so that
 /// sharp edges stay. Vertices in cells at the grid's first plane of y (of a half) lie on y = 0,
 /// and those in cells at its last plane of z, if that is calm water, on z = 0.
-/// THEORY of the vertices: least squares of the distances to the planes, directions without a
-/// plane kept at the mean of the crossings [Ju et al. 2002].
+/// A vertex minimises the sum of squares of its distances to the planes; in directions without a
+/// plane it stays at the mean of the crossings [Ju02].
 struct DualSurface {
   SurfaceMesh mesh;
   std::vector<VertexHold> hold;  ///< of each vertex
