@@ -56,7 +56,8 @@ set(may_hydro/forces/drift       ${may_hydro/forces} hydro/forces)
 set(may_hydro/forces/manoeuvring ${may_hydro/forces} hydro/forces)
 set(may_hydro/forces/appendages  ${may_hydro/forces} hydro/forces)
 set(may_hydro/response hydro/waves hydro/ship hydro/database hydro/excitation)
-set(may_hydro/files    ${geometry} hydro/geometry/repair hydro/geometry/anyhull hydro/ship hydro/database)
+set(may_hydro/files    ${geometry} hydro/geometry/repair hydro/geometry/anyhull hydro/ship
+                       hydro/database)
 set(may_plugin         ${may_hydro/forces} hydro/forces hydro/forces/linear hydro/forces/nonlinear
                        hydro/forces/drift hydro/forces/manoeuvring hydro/forces/appendages)
 set(may_demos "hydro/.+" plugin "demos/.+")  # patterns

@@ -14,7 +14,7 @@ enum class PanelsBy {
 };
 
 /// A hull with panels, made of whatever mesh there is, and what had to be done to it.
-///     const AnyHull ship = anyHull(readSurface("boat.obj"), 433, "boat.obj");
+///     const AnyHull ship = anyHull(readSurface("frigate.obj"), 433, "frigate.obj");
 ///     for (const std::string& line : ship.done) std::puts(line.c_str());
 struct AnyHull {
   Hull hull;

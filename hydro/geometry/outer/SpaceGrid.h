@@ -8,7 +8,8 @@
 namespace cutwater {
 
 /// Points where planes x = const, y = const and z = const meet. Node (i, j, k) has the number
-/// (k·ny + j)·nx + i. The grid's edge (node, axis) leads from a node to the next plane of that axis.
+/// (k·ny + j)·nx + i. The grid's edge (node, axis) leads from a node to the next plane of that
+/// axis.
 class SpaceGrid {
  public:
   using Planes = std::array<std::vector<double>, 3>;

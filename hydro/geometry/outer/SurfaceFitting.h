@@ -8,9 +8,9 @@
 ///     fillOut(surface, tree, volume, 0.03 * length);
 namespace cutwater {
 
-/// Merges the ends of edges shorter than `shortest` [m], the shortest first. The vertex that is held
-/// more stays where it is. Vertices on different sharp edges stay apart, so that plates keep their
-/// thickness.
+/// Merges the ends of edges shorter than `shortest` [m], the shortest first. The vertex that is
+/// held more stays where it is. Vertices on different sharp edges stay apart, so that plates keep
+/// their thickness.
 void mergeShortEdges(DualSurface& surface, double shortest);
 
 /// Moves vertices of smooth places towards the middle of the faces around them and back to the

@@ -8,8 +8,8 @@
 namespace cutwater {
 
 /// The outer surface of anything, closed, and panels on its wet part.
-///     const OuterSurface outer = outerSurface(
-///         cleanSurface(readSurface("boat.obj"), "boat.obj", Symmetry::Auto), 433, "boat.obj", Symmetry::Auto);
+///     const CleanSurface clean = cleanSurface(mesh, "rig", Symmetry::Auto);
+///     const OuterSurface outer = outerSurface(clean, 433, "rig", Symmetry::Auto);
 struct OuterSurface {
   Hull hull;                      ///< closed, both sides; a bowl is filled to its lowest rim
   SurfaceMesh panels;             ///< of the port half if hull.symmetric, else of both sides
@@ -22,11 +22,12 @@ struct OuterSurface {
 
 /// Finds the outer surface by letting water flow around the mesh on a grid (WaterGrid.h) and lays
 /// about `count` panels a side on it, quadrilaterals where possible, with sharp edges kept.
-/// Any soup of faces will do: solids that touch, overlap or lie in one another, inner skins, doubled
-/// faces, any winding, slits. Plates with water on both sides are left out, and said.
+/// Any soup of faces will do: solids that touch, overlap or lie in one another, inner skins,
+/// doubled faces, any winding, slits. Plates with water on both sides are left out, and said.
 /// @param name  of the file, for messages.
 /// The count may rise by half where the panels would lack volume otherwise.
-/// @throws HydroError HullNotClosed, naming the place, where water gets to both sides of most faces.
+/// @throws HydroError HullNotClosed, naming the place, where water gets to both sides of most
+///   faces.
 OuterSurface outerSurface(const CleanSurface& clean, int count, const std::string& name,
                           Symmetry symmetry);
 

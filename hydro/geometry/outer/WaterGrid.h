@@ -3,8 +3,8 @@
 
 namespace cutwater {
 
-/// Where the outer surface crosses an edge of a grid: from a node that the water reaches to one that
-/// it does not.
+/// Where the outer surface crosses an edge of a grid: from a node that the water reaches to one
+/// that it does not.
 struct SurfaceCrossing {
   std::uint32_t node;  ///< lower end of the edge
   int face;            ///< the first one met from the water; −1: held back by a loose edge only

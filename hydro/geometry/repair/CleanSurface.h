@@ -23,7 +23,8 @@ inline constexpr double kWidestHole = 0.02;
 /// Symmetry::Auto open along the centreplane below water for a third of its length.
 /// @param name  of the file, for messages.
 /// @throws HydroError, naming file and place: MeshEmpty, MeshNotFinite, MeshIndexOutOfRange,
-///   HullNotInWater if it is wholly above water (below is said); HullNotSymmetric: Symmetry::Half and vertices on both sides.
+///   HullNotInWater if it is wholly above water (below is said); HullNotSymmetric: Symmetry::Half
+///   and vertices on both sides.
 CleanSurface cleanSurface(const SurfaceMesh& raw, const std::string& name, Symmetry symmetry);
 
 }  // namespace cutwater
