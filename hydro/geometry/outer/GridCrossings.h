@@ -16,8 +16,7 @@ class GridCrossings {
  public:
   /// @param triangles  of any winding, open or doubled; must outlive this object.
   /// @param openTolerance  [m] edges of the grid that pass a loose edge of the surface this near
-  ///   are
-  ///   blocked too, so that slits below twice of it hold water back.
+  ///   are blocked too, so that slits below twice of it hold water back.
   /// O(triangles + crossings · log).
   GridCrossings(const SurfaceMesh& triangles, const SpaceGrid& grid, double openTolerance);
 

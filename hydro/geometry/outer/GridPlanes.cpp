@@ -146,7 +146,7 @@ FinePlanes finePlanes(const SpaceGrid::Planes& coarse, int step, double highest)
   }
   std::vector<double>& z = fine.planes[2];
   fine.top = static_cast<int>(z.size()) - 1;
-  while (z.back() < highest + length) z.push_back(z.back() + length);
+  while (z.back() < highest + length || z.size() % 2 == 0) z.push_back(z.back() + length);
   return fine;
 }
 

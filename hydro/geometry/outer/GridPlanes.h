@@ -18,8 +18,8 @@ struct GridPlan {
 /// is the centreplane.
 SpaceGrid::Planes coarsePlanes(const GridPlan& plan);
 
-/// Each interval of the planes divided into `step`, and z continued to above the body. Plane `top`
-/// of z is calm water.
+/// Each interval of the planes divided into `step`, and z continued to above the body, all of them
+/// an odd number of planes for an even step. Plane `top` of z is calm water.
 struct FinePlanes {
   SpaceGrid::Planes planes;
   int top = 0;

@@ -27,7 +27,8 @@ constexpr double kMostMove = 0.03;            // of the panels' length
 constexpr int kTries = 6;
 constexpr double kCloseEnough = 0.05;  // of the count
 constexpr double kVolumeOff = 0.004, kFiner = 0.9, kMostPanels = 1.5;
-constexpr double kWorthSaying = 1e-3;  // of the volume, or of the area
+constexpr double kLightOff = 5e-4, kGridsOff = 2e-3;  // of the volume
+constexpr double kWorthSaying = 1e-3;                 // of the volume, or of the area
 
 std::vector<Vec3> unitNormals(const SurfaceMesh& triangles) {
   std::vector<Vec3> normals;
@@ -105,16 +106,16 @@ class SurfacePanels {
     int step = kFine;
     FinePlanes fine = finePlanes(coarsePlanes, step, box_.high.z());
     while (step > 2 && SpaceGrid(fine.planes).nodes() > kMostNodes)
-      fine = finePlanes(coarsePlanes, --step, box_.high.z());
+      fine = finePlanes(coarsePlanes, step -= 2, box_.high.z());
     const SpaceGrid grid(fine.planes);
     const GridCrossings crossings = crossingsOf(grid);
     const WaterGrid water = flooded(grid, crossings);
-    const DualSurface hull = dualSurface(water, normals_, false);
     const int sides = half_ ? 2 : 1;
-    const SurfaceMesh wet = cutBelow(hull.mesh);
     OuterSurface out;
+    const SurfaceMesh hull = hullOf(water, out.volumeOff);
+    const SurfaceMesh wet = cutBelow(hull);
     out.volume = sides * volumeIntegrals(wet).volume;
-    out.hull = {half_ ? bothHalves(hull.mesh) : hull.mesh, half_, false};
+    out.hull = {half_ ? bothHalves(hull) : hull, half_, false};
     out.hull.closed = openEdges(out.hull.surface).empty();
     DualSurface panels = panelsOf(water, step, fine.top, length);
     const SurfaceTree surface(wet);
@@ -130,6 +131,16 @@ class SurfacePanels {
     return out;
   }
 
+  /// Of every other plane, unless that changes the volume.
+  SurfaceMesh hullOf(const WaterGrid& water, double& volumeOff) const {
+    SurfaceMesh fine = dualSurface(water, normals_, false).mesh;
+    SurfaceMesh light =
+        dualSurface(water.coarser(2, water.grid().count(2) - 1), normals_, false).mesh;
+    const auto wetVolume = [](const SurfaceMesh& m) { return volumeIntegrals(cutBelow(m)).volume; };
+    volumeOff = std::abs(wetVolume(light) / wetVolume(fine) - 1);
+    return volumeOff < kLightOff ? light : fine;
+  }
+
   void say(OuterSurface& s, int count) {
     s.done = done_;
     if (survey_.plateArea > kWorthSaying * survey_.area)
@@ -142,6 +153,11 @@ class SurfacePanels {
         s.done.push_back(fmt::format(
             "left out of the {} parts too thin for so many panels, {:.3g} m3 ({:.2g} %), one at {}",
             what, lost.volume, 100 * lost.volume / s.volume, placeText(lost.place)));
+    if (s.volumeOff > kGridsOff)
+      s.done.push_back(
+          fmt::format("two grids differ by {:.2g} % of the volume; its shape is finer "
+                      "than they are",
+                      100 * s.volumeOff));
     if (aSide(s) > (1 + 2 * kCloseEnough) * count)
       s.done.push_back(
           fmt::format("took {:.0f} panels a side instead of {}, for its volume", aSide(s), count));

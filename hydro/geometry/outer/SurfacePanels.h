@@ -15,6 +15,7 @@ struct OuterSurface {
   SurfaceMesh panels;             ///< of the port half if hull.symmetric, else of both sides
   double volume = 0.0;            ///< below calm water, of the hull [m³]
   double panelVolume = 0.0;       ///< of the panels, both sides [m³]
+  double volumeOff = 0.0;         ///< part of it by which two grids differ, one twice as fine
   LostParts betweenPanels;        ///< parts that the panels do not show
   LostParts thin;                 ///< parts that the hull does not show either
   std::vector<std::string> done;  ///< one line each, for people
