@@ -4,6 +4,7 @@
 
 #include "demos/cutwater/commands/Commands.h"
 #include "demos/cutwater/input/HullFile.h"
+#include "demos/cutwater/output/ShipListing.h"
 #include "hydro/geometry/MeshIntegrals.h"
 #include "hydro/geometry/panelling/PanelQuality.h"
 #include "hydro/geometry/panelling/Panelling.h"
@@ -27,14 +28,11 @@ void panel(const std::string& hull, int count, const MeshReadOptions& options, P
   const PanelledHull made = readAny(hull, count, options, by);
   const SurfaceMesh wet = wholeWet(made);
   const std::size_t panels = made.panels.faces.size();
-  const Vec3 size = bounds(wet).high - bounds(wet).low;
   const double whole =
       volumeIntegrals(displacingSurface({made.surface, made.symmetric, false})).volume;
-  const std::string about = fmt::format(
-      "{} panels{}, {:.4g} x {:.4g} x {:.4g} m, volume {:.6g} m3 of the hull's {:.6g} m3, area "
-      "{:.6g} m2",
-      panels, made.symmetric ? " a side" : "", size.x(), size.y(), size.z(),
-      volumeIntegrals(wet).volume, whole, surfaceArea(wet));
+  const std::string about =
+      fmt::format("{} panels{}, {}, area {:.6g} m2", panels, made.symmetric ? " a side" : "",
+                  sizeText(wet, whole), surfaceArea(wet));
   writeObj(
       out, wet,
       fmt::format("{} of the wet part of {}\nmetres; x forward, y to port, z up from calm water; "

@@ -11,6 +11,7 @@
 #include "demos/cutwater/input/ShipFile.h"
 #include "demos/cutwater/output/Csv.h"
 #include "demos/cutwater/output/Progress.h"
+#include "demos/cutwater/output/ShipListing.h"
 #include "hydro/Errors.h"
 #include "hydro/base/AtomicFile.h"
 #include "hydro/database/CoefficientsFile.h"
@@ -102,10 +103,10 @@ void solve(const std::string& path, const std::string& database, int threads) {
   ShipFile ship = readShipFile(path);
   ship.solve.threads = threads;
   warnOfMask(path, ship);
-  say(fmt::format("solve: {} panels{}, {} frequencies, {} headings",
-                  ship.particulars.wetSurface.faces.size(),
-                  ship.particulars.symmetric ? " a side" : "", ship.solve.omega.size(),
-                  ship.solve.headings.size()));
+  const ShipParticulars& p = ship.particulars;
+  say(fmt::format("solve: {} panels{}, {} frequencies, {} headings; {}", p.wetSurface.faces.size(),
+                  p.symmetric ? " a side" : "", ship.solve.omega.size(), ship.solve.headings.size(),
+                  sizeText(p.symmetric ? bothHalves(p.wetSurface) : p.wetSurface, p.volume)));
   const std::string journal = database + ".sweep";
   Coefficients coefficients;
   naming(path, [&] { coefficients = solved(ship, journal); });

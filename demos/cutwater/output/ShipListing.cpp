@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "hydro/finish/Finish.h"
+#include "hydro/geometry/MeshIntegrals.h"
 
 namespace cutwater::command {
 
@@ -67,6 +68,12 @@ void listShip(Listing& rows, const ShipParticulars& ship) {
   rows.add("form_factor", ship.drag.formFactor);
   rows.add("engine", ship.engine ? "1" : "0");
   rows.add("rudder", ship.rudder ? "1" : "0");
+}
+
+std::string sizeText(const SurfaceMesh& wholeWet, double hullVolume) {
+  const Vec3 size = bounds(wholeWet).high - bounds(wholeWet).low;
+  return fmt::format("{:.4g} x {:.4g} x {:.4g} m, volume {:.6g} m3 of the hull's {:.6g} m3",
+                     size.x(), size.y(), size.z(), volumeIntegrals(wholeWet).volume, hullVolume);
 }
 
 double infinityDifference(const Coefficients& c) {

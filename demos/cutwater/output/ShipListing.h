@@ -12,6 +12,9 @@ namespace cutwater::command {
 void listShip(Listing& rows, const ShipParticulars& ship);
 void listHydrostatics(Listing& rows, const ShipParticulars& ship, const Hydrostatics& h);
 
+/// Length, beam and draught of the panels of both sides, their volume and the hull's [m³], in words.
+std::string sizeText(const SurfaceMesh& wholeWet, double hullVolume);
+
 /// Largest distance of A(∞) of the ω = ∞ problem itself from the one in use, in % of √(A_jj A_kk).
 double infinityDifference(const Coefficients& coefficients);
 /// Of `table`, called "added_mass" or "damping", as the solver found it if the file tells [%]; the

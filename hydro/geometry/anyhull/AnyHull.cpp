@@ -42,14 +42,15 @@ class AnyHullMaking {
 
   /// A repaired hull of that volume is the better hull: it has the faces that were drawn.
   AnyHull bySurface() {
-    OuterSurface outer = outerSurface(clean_, count_, name_, symmetry_);
+    const double drawnVolume = repaired_ ? volumeOf(wholeWetSurface(repaired_->hull)) : 0.0;
+    OuterSurface outer = outerSurface(clean_, count_, name_, symmetry_, drawnVolume);
     AnyHull made;
     made.panels = std::move(outer.panels);
     made.by = PanelsBy::Surface;
     made.volume = outer.volume;
     made.panelVolume = outer.panelVolume;
     const bool drawn = repaired_ && repaired_->hull.symmetric == outer.hull.symmetric &&
-                       isNear(volumeOf(wholeWetSurface(repaired_->hull)), outer.volume);
+                       isNear(drawnVolume, outer.volume);
     made.hull = drawn ? std::move(repaired_->hull) : std::move(outer.hull);
     made.done = drawn ? repaired_->done : clean_.done;
     made.done.insert(made.done.end(), outer.done.begin(), outer.done.end());

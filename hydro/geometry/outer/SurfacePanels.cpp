@@ -28,7 +28,8 @@ constexpr int kTries = 6;
 constexpr double kCloseEnough = 0.05;  // of the count
 constexpr double kVolumeOff = 0.004, kFiner = 0.9, kMostPanels = 1.5;
 constexpr double kLightOff = 5e-4, kGridsOff = 2e-3;  // of the volume
-constexpr double kWorthSaying = 1e-3;                 // of the volume, or of the area
+constexpr double kKnownOff = 4e-3;     // of a volume that is known otherwise: twice kGridsOff
+constexpr double kWorthSaying = 1e-3;  // of the volume, or of the area
 
 std::vector<Vec3> unitNormals(const SurfaceMesh& triangles) {
   std::vector<Vec3> normals;
@@ -48,7 +49,8 @@ class SurfacePanels {
         half_(symmetry != Symmetry::None && survey_.symmetric) {}
 
   /// Finer where the panels would lack volume, up to kMostPanels of the count.
-  OuterSurface about(int count) {
+  OuterSurface about(int count, double knownVolume) {
+    known_ = knownVolume;
     double length = lengthFor(count);
     OuterSurface best = made(length);
     for (int i = 0; i < kTries && off(best) > kVolumeOff; ++i) {
@@ -114,7 +116,7 @@ class SurfacePanels {
     OuterSurface out;
     const SurfaceMesh hull = hullOf(water, out.volumeOff);
     const SurfaceMesh wet = cutBelow(hull);
-    out.volume = sides * volumeIntegrals(wet).volume;
+    out.volume = knownOr(sides * volumeIntegrals(wet).volume);
     out.hull = {half_ ? bothHalves(hull) : hull, half_, false};
     out.hull.closed = openEdges(out.hull.surface).empty();
     DualSurface panels = panelsOf(water, step, fine.top, length);
@@ -129,6 +131,10 @@ class SurfacePanels {
     out.thin = partsBetweenCrossings(water, crossings, fine.top);
     out.thin.volume *= sides;
     return out;
+  }
+
+  double knownOr(double found) const {
+    return std::abs(known_ / found - 1) < kKnownOff ? known_ : found;
   }
 
   /// Of every other plane, unless that changes the volume.
@@ -170,13 +176,14 @@ class SurfacePanels {
   std::vector<Vec3> normals_;
   WaterSurvey survey_;
   bool half_;
+  double known_ = 0.0;
 };
 
 }  // namespace
 
 OuterSurface outerSurface(const CleanSurface& clean, int count, const std::string& name,
-                          Symmetry symmetry) {
-  return SurfacePanels(withoutLeaks(clean.mesh, name), name, symmetry).about(count);
+                          Symmetry symmetry, double knownVolume) {
+  return SurfacePanels(withoutLeaks(clean.mesh, name), name, symmetry).about(count, knownVolume);
 }
 
 double outerVolume(const CleanSurface& clean, const std::string& name) {

@@ -27,10 +27,12 @@ struct OuterSurface {
 /// doubled faces, any winding, slits. Plates with water on both sides are left out, and said.
 /// @param name  of the file, for messages.
 /// The count may rise by half where the panels would lack volume otherwise.
+/// @param knownVolume  [m³] of the closed faces below water, if they could be repaired: where it is
+///   within 0.4 % of the grid's, the panels enclose it.
 /// @throws HydroError HullNotClosed, naming the place, where water gets to both sides of most
 ///   faces.
 OuterSurface outerSurface(const CleanSurface& clean, int count, const std::string& name,
-                          Symmetry symmetry);
+                          Symmetry symmetry, double knownVolume = 0.0);
 
 /// What that surface encloses below calm water [m³], on a coarser grid.
 /// @throws as outerSurface.
