@@ -37,6 +37,7 @@ class AnyHullMaking {
     made.panelVolume = (repaired_->hull.symmetric ? 2 : 1) * volumeOf(made.panels);
     made.hull = repaired_->hull;
     made.done = repaired_->done;
+    if (!made.hull.closed) close(made);
     return made;
   }
 
@@ -50,7 +51,7 @@ class AnyHullMaking {
     made.volume = outer.volume;
     made.panelVolume = outer.panelVolume;
     const bool drawn = repaired_ && repaired_->hull.symmetric == outer.hull.symmetric &&
-                       isNear(drawnVolume, outer.volume);
+                       repaired_->hull.closed && isNear(drawnVolume, outer.volume);
     made.hull = drawn ? std::move(repaired_->hull) : std::move(outer.hull);
     made.done = drawn ? repaired_->done : clean_.done;
     made.done.insert(made.done.end(), outer.done.begin(), outer.done.end());
@@ -73,6 +74,17 @@ class AnyHullMaking {
   }
 
  private:
+  /// A hull that is open above water as a bowl that is filled, if there is enough of it.
+  void close(AnyHull& made) const {
+    OuterSurface outer = outerSurface(clean_, count_, name_, symmetry_, made.volume);
+    if (!outer.hull.closed || outer.hull.symmetric != made.hull.symmetric ||
+        !isNear(made.volume, outer.volume))
+      return;
+    made.hull = std::move(outer.hull);
+    made.done.push_back(fmt::format("closed the hull above water, up to {:.3g} m",
+                                    bounds(made.hull.surface).high.z()));
+  }
+
   static bool isNear(double hull, double outer) { return std::abs(hull / outer - 1) <= kHullOff; }
 
   bool follows(const AnyHull& made, double outer, std::string& why) const {

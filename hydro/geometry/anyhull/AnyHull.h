@@ -28,7 +28,8 @@ struct AnyHull {
 /// Repairs the mesh (repair/MeshRepair.h) and lays about `count` panels a side between sections.
 /// Where the mesh cannot be repaired, or sections cannot follow it, or what they enclose is not the
 /// volume from which a grid of water is kept out, the outer surface is found on that grid and the
-/// panels are laid on it. A repaired hull that has the right volume stays the hull.
+/// panels are laid on it. A repaired hull that is closed and has the right volume stays the hull;
+/// one that is open above water is closed there as a bowl that is filled, with a line that says so.
 /// @param name  of the file, for messages.
 /// @throws HydroError as cleanSurface and outerSurface; with PanelsBy::Sections as repairedHull and
 ///   panelled; ValueOutOfRange for a count below kFewestPanels or above kMostPanels.

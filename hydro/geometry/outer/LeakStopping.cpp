@@ -81,6 +81,12 @@ TightSurface withoutLeaks(const SurfaceMesh& clean, const std::string& name) {
                                        after.volume - survey.volume, after.volume));
       survey = std::move(after);
     }
+    const double open = surveyWater(tight.mesh, 0.0, kNoMirror).volume;
+    if (open < (1 - kLeaked) * survey.volume)
+      tight.done.push_back(
+          fmt::format("closed slits up to {:.2g} m wide, through which {:.3g} m3 "
+                      "of {:.3g} m3 would fill",
+                      2 * slit, survey.volume - open, survey.volume));
   }
   checkOutside(survey, holes, name);
   return tight;

@@ -24,12 +24,13 @@ constexpr double kMirrorTolerance = 1e-3;     // of the size
 constexpr double kShortest = 0.3;             // of the panels' length: shorter edges are merged
 constexpr int kRounds = 8;                    // of smoothing
 constexpr double kMostMove = 0.03;            // of the panels' length
-constexpr int kTries = 6;
+constexpr int kTries = 8, kTryStep = 2;
 constexpr double kCloseEnough = 0.05;  // of the count
 constexpr double kVolumeOff = 0.004, kFiner = 0.9, kMostPanels = 1.5;
 constexpr double kLightOff = 5e-4, kGridsOff = 2e-3;  // of the volume
-constexpr double kKnownOff = 4e-3;     // of a volume that is known otherwise: twice kGridsOff
-constexpr double kWorthSaying = 1e-3;  // of the volume, or of the area
+constexpr double kKnownOff = 4e-3;      // of a volume that is known otherwise: twice kGridsOff
+constexpr double kLeastReserve = 0.05;  // of the volume below water
+constexpr double kWorthSaying = 1e-3;   // of the volume, or of the area
 
 std::vector<Vec3> unitNormals(const SurfaceMesh& triangles) {
   std::vector<Vec3> normals;
@@ -69,18 +70,26 @@ class SurfacePanels {
   }
   static double off(const OuterSurface& s) { return std::abs(s.panelVolume / s.volume - 1); }
 
+  /// That gives about the number wanted, of a few tries.
   double lengthFor(int count) const {
     const double wanted = half_ ? count : 2.0 * count;
-    double length = std::sqrt(1.2 * survey_.area / (2.0 * count));
-    for (int i = 0; i < kTries; ++i) {
-      const FinePlanes fine = finePlanes(planes(length), 2, survey_.wet.high.z());
+    double length = std::sqrt(1.2 * survey_.area / (2.0 * count)), best = length, least = 1e300;
+    double few = 0.0, many = 0.0;  // lengths that gave too few panels, and too many
+    for (int i = 0; i < kTries && least > kCloseEnough; ++i) {
+      const FinePlanes fine = finePlanes(planes(length), kTryStep, survey_.wet.high.z());
       const SpaceGrid grid(fine.planes);
-      const double n = static_cast<double>(
-          panelsOf(flooded(grid, crossingsOf(grid)), 2, fine.top, length).mesh.faces.size());
-      if (std::abs(n / wanted - 1) < kCloseEnough) break;
-      length *= std::sqrt(std::clamp(n / wanted, 0.3, 3.0));
+      const WaterGrid water = flooded(grid, crossingsOf(grid));
+      const double n =
+          static_cast<double>(panelsOf(water, kTryStep, fine.top, length).mesh.faces.size());
+      if (std::abs(n / wanted - 1) < least) {
+        least = std::abs(n / wanted - 1);
+        best = length;
+      }
+      (n < wanted ? few : many) = length;
+      length = few > 0 && many > 0 ? std::sqrt(few * many)
+                                   : length * std::sqrt(std::clamp(n / wanted, 0.3, 3.0));
     }
-    return length;
+    return best;
   }
 
   SpaceGrid::Planes planes(double length) const {
@@ -117,8 +126,7 @@ class SurfacePanels {
     const SurfaceMesh hull = hullOf(water, out.volumeOff);
     const SurfaceMesh wet = cutBelow(hull);
     out.volume = knownOr(sides * volumeIntegrals(wet).volume);
-    out.hull = {half_ ? bothHalves(hull) : hull, half_, false};
-    out.hull.closed = openEdges(out.hull.surface).empty();
+    setHull(out, hull, wet);
     DualSurface panels = panelsOf(water, step, fine.top, length);
     const SurfaceTree surface(wet);
     smooth(panels, surface, kRounds);
@@ -131,6 +139,14 @@ class SurfacePanels {
     out.thin = partsBetweenCrossings(water, crossings, fine.top);
     out.thin.volume *= sides;
     return out;
+  }
+
+  /// A mesh that ends at calm water has nothing to float higher with: its hull ends there too.
+  void setHull(OuterSurface& out, const SurfaceMesh& closed, const SurfaceMesh& wet) const {
+    const double below = volumeIntegrals(wet).volume, whole = volumeIntegrals(closed).volume;
+    const SurfaceMesh& hull = whole - below > kLeastReserve * below ? closed : wet;
+    out.hull = {half_ ? bothHalves(hull) : hull, half_, false};
+    out.hull.closed = openEdges(out.hull.surface).empty();
   }
 
   double knownOr(double found) const {

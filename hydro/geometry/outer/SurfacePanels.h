@@ -11,9 +11,10 @@ namespace cutwater {
 ///     const CleanSurface clean = cleanSurface(mesh, "rig", Symmetry::Auto);
 ///     const OuterSurface outer = outerSurface(clean, 433, "rig", Symmetry::Auto);
 struct OuterSurface {
-  Hull hull;                      ///< closed, both sides; a bowl is filled to its lowest rim
-  SurfaceMesh panels;             ///< of the port half if hull.symmetric, else of both sides
-  double volume = 0.0;            ///< below calm water, of the hull [m³]
+  Hull hull;            ///< both sides, closed; a bowl is filled to its lowest rim. Open at calm
+                        ///< water if less than 5 % of its volume would be above that
+  SurfaceMesh panels;   ///< of the port half if hull.symmetric, else of both sides
+  double volume = 0.0;  ///< below calm water, of the hull [m³]
   double panelVolume = 0.0;       ///< of the panels, both sides [m³]
   double volumeOff = 0.0;         ///< part of it by which two grids differ, one twice as fine
   LostParts betweenPanels;        ///< parts that the panels do not show

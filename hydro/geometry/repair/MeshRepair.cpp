@@ -29,6 +29,7 @@ class Repair {
  public:
   Repair(const CleanSurface& clean, std::string name, Symmetry symmetry)
       : name_(std::move(name)), symmetry_(symmetry), size_(clean.size), done_(clean.done) {
+    checkInWater(bounds(clean.mesh), name_);
     dry_ = cutAbove(clean.mesh);
     wet_ = cutBelow(clean.mesh);
   }
@@ -102,7 +103,9 @@ class Repair {
   RepairedHull finished() {
     RepairedHull result;
     result.hull.symmetric = symmetry_ != Symmetry::None && isSymmetric();
-    if (result.hull.symmetric) wet_ = snapped(std::move(wet_), 1, 0.1 * kWeld * size_);
+    if (result.hull.symmetric)
+      for (SurfaceMesh* part : {&wet_, &dry_})
+        *part = snapped(std::move(*part), 1, 0.1 * kWeld * size_);
     const int below = static_cast<int>(wet_.faces.size());
     SurfaceMesh all = welded(joined(wet_, dry_), 0.0);
     try {
