@@ -9,6 +9,7 @@
 #include "hydro/Errors.h"
 #include "hydro/geometry/MeshIntegrals.h"
 #include "hydro/geometry/outer/SurfacePanels.h"
+#include "hydro/geometry/panelling/PanelQuality.h"
 #include "hydro/geometry/panelling/Panelling.h"
 #include "hydro/geometry/repair/MeshRepair.h"
 
@@ -18,10 +19,23 @@ namespace {
 // What a repaired hull may differ from the volume that water is kept out of: twice what two grids
 // differ by.
 constexpr double kHullOff = 0.004;
-// What inscribed panels may lack (decision 0033), times the panels a side, and a third more.
-constexpr double kLacking = 1.33 * 0.0045 * 1040, kLeastLacking = 0.01;
+// What panels may differ from it: 1 % at 433 a side, which inscribed ones go beyond with fewer, and
+// 0.5 % from 860 on.
+constexpr double kLacking = 4.3, kLeastLacking = 0.005;
 
 double volumeOf(const SurfaceMesh& wet) { return volumeIntegrals(wet).volume; }
+
+constexpr double kMostStretched = 0.15;  // of the panels; of ships 0 to 5 % are
+constexpr std::size_t kMostLines = 3;  // with what the command itself says, five
+
+/// The first lines together in one, if there are too many.
+std::vector<std::string> condensed(std::vector<std::string> lines) {
+  while (lines.size() > kMostLines) {
+    lines[0] += "; " + lines[1];
+    lines.erase(lines.begin() + 1);
+  }
+  return lines;
+}
 
 class AnyHullMaking {
  public:
@@ -97,6 +111,11 @@ class AnyHullMaking {
           fmt::format("panels would have {:.6g} m3 instead of {:.6g} m3", made.panelVolume, outer);
       return false;
     }
+    if (const double stretched = stretchedShare(made.panels); stretched > kMostStretched) {
+      why = fmt::format("{:.0f} % of the panels would be more than 3 times as long as wide",
+                        100 * stretched);
+      return false;
+    }
     return true;
   }
 
@@ -116,9 +135,11 @@ AnyHull anyHull(const SurfaceMesh& raw, int count, const std::string& name, Symm
                                                          name, count, kFewestPanels, kMostPanels));
   const CleanSurface clean = cleanSurface(raw, name, symmetry);
   AnyHullMaking making(clean, count, name, symmetry);
-  return by == PanelsBy::Sections  ? making.bySections()
-         : by == PanelsBy::Surface ? making.bySurface()
-                                   : making.either();
+  AnyHull made = by == PanelsBy::Sections  ? making.bySections()
+                 : by == PanelsBy::Surface ? making.bySurface()
+                                           : making.either();
+  made.done = condensed(std::move(made.done));
+  return made;
 }
 
 }  // namespace cutwater

@@ -7,10 +7,10 @@
 namespace cutwater {
 namespace {
 
-constexpr double kSliver = 0.03;  // height of a triangle over its longest edge
+constexpr double kSliver = 0.08;  // height of a triangle over its longest edge
 // A quadrilateral with a straight corner is as good as a triangle: only what folds is divided.
 constexpr double kFolded = -1e-3;
-constexpr int kRounds = 3;
+constexpr int kRounds = 6;
 
 using Corners = std::vector<int>;
 
@@ -90,45 +90,88 @@ int cornerOnEdge(const SurfaceMesh& mesh, const Face& f) {
   return height < kSliver * longest ? opposite : -1;
 }
 
-SurfaceMesh withoutSlivers(const SurfaceMesh& mesh) {
-  std::map<std::pair<int, int>, std::size_t> faceAt;
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-    for (int i = 0; i < mesh.faces[f].size(); ++i)
-      faceAt[{mesh.faces[f][i], mesh.faces[f][(i + 1) % mesh.faces[f].size()]}] = f;
-  std::vector<std::optional<Corners>> grown(mesh.faces.size());
-  std::vector<bool> gone(mesh.faces.size(), false);
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    const int corner = cornerOnEdge(mesh, mesh.faces[f]);
-    if (corner < 0 || gone[f] || grown[f]) continue;
-    const Face& s = mesh.faces[f];
-    const int from = s[(corner + 1) % 3], to = s[(corner + 2) % 3], middle = s[corner];
-    const auto across = faceAt.find({to, from});
-    if (across == faceAt.end()) {  // at a boundary, which then runs through the middle
-      gone[f] = true;
+/// Whether these lie in calm water or in the centreplane, where surfaces may be open.
+bool onOneBoundary(const SurfaceMesh& mesh, const Face& f) {
+  bool water = true, centre = true;
+  for (int i = 0; i < f.size(); ++i) {
+    water = water && mesh.corner(f, i).z() == 0.0;
+    centre = centre && mesh.corner(f, i).y() == 0.0;
+  }
+  return water || centre;
+}
+
+/// Corners between which the rim goes there and back are none.
+Corners withoutSpikes(Corners c) {
+  for (std::size_t i = 0; i < c.size() && c.size() > 2;) {
+    const std::size_t next = (i + 1) % c.size(), after = (i + 2) % c.size();
+    if (c[i] != c[after]) {
+      ++i;
       continue;
     }
-    const std::size_t g = across->second;
-    if (gone[g] || grown[g]) continue;
-    Corners c;
-    for (int i = 0; i < mesh.faces[g].size(); ++i) {
-      c.push_back(mesh.faces[g][i]);
-      if (mesh.faces[g][i] == to) c.push_back(middle);
-    }
-    if (std::count(c.begin(), c.end(), middle) != 1) continue;
-    grown[g] = std::move(c);
-    gone[f] = true;
+    c.erase(c.begin() + static_cast<std::ptrdiff_t>(std::max(next, after)));
+    c.erase(c.begin() + static_cast<std::ptrdiff_t>(std::min(next, after)));
+    i = 0;
   }
-  SurfaceMesh out{mesh.vertices, {}};
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    if (gone[f]) continue;
-    if (grown[f]) {
-      addPolygon(mesh, *grown[f], out.faces);
-    } else {
-      out.faces.push_back(mesh.faces[f]);
-    }
-  }
-  return out;
+  return c;
 }
+
+/// One round: no face is changed twice in it.
+class SliverRemoval {
+ public:
+  explicit SliverRemoval(const SurfaceMesh& mesh)
+      : mesh_(mesh), grown_(mesh.faces.size()), gone_(mesh.faces.size(), false) {
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+      for (int i = 0; i < mesh.faces[f].size(); ++i)
+        faceAt_[{mesh.faces[f][i], mesh.faces[f][(i + 1) % mesh.faces[f].size()]}] = f;
+  }
+
+  SurfaceMesh removed() {
+    for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
+      if (gone_[f] || grown_[f]) continue;
+      if (onOneBoundary(mesh_, mesh_.faces[f])) gone_[f] = true;
+      const int corner = gone_[f] ? -1 : cornerOnEdge(mesh_, mesh_.faces[f]);
+      if (corner >= 0) giveToNeighbour(f, corner);
+    }
+    SurfaceMesh out{mesh_.vertices, {}};
+    for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
+      if (gone_[f]) continue;
+      if (grown_[f]) {
+        addPolygon(mesh_, *grown_[f], out.faces);
+      } else {
+        out.faces.push_back(mesh_.faces[f]);
+      }
+    }
+    return out;
+  }
+
+ private:
+  void giveToNeighbour(std::size_t f, int corner) {
+    const Face& s = mesh_.faces[f];
+    const int from = s[(corner + 1) % 3], to = s[(corner + 2) % 3], middle = s[corner];
+    const auto across = faceAt_.find({to, from});
+    if (across == faceAt_.end()) return;
+    const std::size_t g = across->second;
+    if (gone_[g] || grown_[g]) return;
+    Corners c;
+    for (int i = 0; i < mesh_.faces[g].size(); ++i) {
+      c.push_back(mesh_.faces[g][i]);
+      if (mesh_.faces[g][i] == to) c.push_back(middle);
+    }
+    c = withoutSpikes(std::move(c));
+    if (std::count(c.begin(), c.end(), middle) > 1) return;
+    gone_[f] = true;
+    if (c.size() >= 3) {
+      grown_[g] = std::move(c);
+    } else {
+      gone_[g] = true;  // they lay back to back
+    }
+  }
+
+  const SurfaceMesh& mesh_;
+  std::map<std::pair<int, int>, std::size_t> faceAt_;
+  std::vector<std::optional<Corners>> grown_;
+  std::vector<bool> gone_;
+};
 
 SurfaceMesh withoutFoldedFaces(const SurfaceMesh& mesh) {
   SurfaceMesh out{mesh.vertices, {}};
@@ -141,7 +184,7 @@ SurfaceMesh withoutFoldedFaces(const SurfaceMesh& mesh) {
 
 std::vector<Face> tidied(const SurfaceMesh& panels) {
   SurfaceMesh mesh = withoutFoldedFaces(panels);
-  for (int round = 0; round < kRounds; ++round) mesh = withoutSlivers(mesh);
+  for (int round = 0; round < kRounds; ++round) mesh = SliverRemoval(mesh).removed();
   return mesh.faces;
 }
 

@@ -15,7 +15,7 @@ constexpr int kReturns = 3;         // to the surface and to the plane that hold
 constexpr double kStep = 0.5;       // of the way to the middle, a round
 constexpr double kOfThickness = 0.2;
 constexpr double kFlat = 1e-3;      // of the way a vertex may go: lower heights are none
-constexpr double kMostShare = 4.0;  // of the height of the surface over the panels
+constexpr double kMostShare = 1.5;  // of the height of the surface over the panels
 constexpr int kFillRounds = 8;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -186,6 +186,13 @@ std::vector<Vec3> pushes(const DualSurface& s) {
 
 void mergeShortEdges(DualSurface& surface, double shortest) {
   Merging(surface).shorterThan(shortest);
+}
+
+void releaseRoundEdges(DualSurface& surface, const SurfaceTree& onto, double tolerance) {
+  for (std::size_t i = 0; i < surface.hold.size(); ++i) {
+    VertexHold& hold = surface.hold[i];
+    if (hold.planes > 1 && onto.distance(surface.mesh.vertices[i]) > tolerance) hold.planes = 1;
+  }
 }
 
 void smooth(DualSurface& surface, const SurfaceTree& onto, int rounds) {

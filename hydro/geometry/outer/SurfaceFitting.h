@@ -4,6 +4,7 @@
 
 /// From a dual surface to panels:
 ///     mergeShortEdges(surface, 0.25 * length);
+///     releaseRoundEdges(surface, tree, 0.02 * length);
 ///     smooth(surface, tree, 8);
 ///     fillOut(surface, tree, volume, 0.03 * length);
 namespace cutwater {
@@ -12,6 +13,11 @@ namespace cutwater {
 /// held more stays where it is. Vertices on different sharp edges stay apart, so that plates keep
 /// their thickness.
 void mergeShortEdges(DualSurface& surface, double shortest);
+
+/// Where a surface is rounder than its cells are small, the planes met in a cell look like those of
+/// an edge. The vertex between them then stands off the surface, on a true edge it does not: one
+/// that is farther off than the tolerance [m] becomes one of a smooth place.
+void releaseRoundEdges(DualSurface& surface, const SurfaceTree& onto, double tolerance);
 
 /// Moves vertices of smooth places towards the middle of the faces around them and back to the
 /// nearest place of the surface, some rounds. Those on sharp edges and corners stay.

@@ -23,7 +23,9 @@ constexpr std::size_t kMostNodes = 40000000;  // of the fine grid
 constexpr double kMirrorTolerance = 1e-3;     // of the size
 constexpr double kShortest = 0.3;             // of the panels' length: shorter edges are merged
 constexpr int kRounds = 8;                    // of smoothing
-constexpr double kMostMove = 0.03;            // of the panels' length
+constexpr double kOnEdge = 0.02;  // of the panels' length: a vertex on an edge is so near
+// Of the panels' length; since moves follow the height of the surface there, they hide no lost part.
+constexpr double kMostMove = 0.08;
 constexpr int kTries = 8, kTryStep = 2;
 constexpr double kCloseEnough = 0.05;  // of the count
 constexpr double kVolumeOff = 0.004, kFiner = 0.9, kMostPanels = 1.5;
@@ -129,6 +131,7 @@ class SurfacePanels {
     setHull(out, hull, wet);
     DualSurface panels = panelsOf(water, step, fine.top, length);
     const SurfaceTree surface(wet);
+    releaseRoundEdges(panels, surface, kOnEdge * length);
     smooth(panels, surface, kRounds);
     panels.mesh.faces = tidied(panels.mesh);
     fillOut(panels, surface, out.volume / sides, kMostMove * length);
