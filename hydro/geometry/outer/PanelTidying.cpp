@@ -173,6 +173,26 @@ class SliverRemoval {
   std::vector<bool> gone_;
 };
 
+/// Faces without the vertices at which only two of them meet; a triangle between two such edges
+/// goes. Vertices on an open edge stay.
+SurfaceMesh withoutNeedles(const SurfaceMesh& mesh) {
+  std::vector<int> faces(mesh.vertices.size(), 0);
+  for (const Face& f : mesh.faces)
+    for (int i = 0; i < f.size(); ++i) ++faces[static_cast<std::size_t>(f[i])];
+  constexpr int kStays = 1000;
+  for (const OpenEdge& e : openEdges(mesh))
+    for (const int v : {e.from, e.to}) faces[static_cast<std::size_t>(v)] = kStays;
+  SurfaceMesh out{mesh.vertices, {}};
+  for (const Face& f : mesh.faces) {
+    Face left;
+    std::size_t n = 0;
+    for (int i = 0; i < f.size(); ++i)
+      if (faces[static_cast<std::size_t>(f[i])] != 2) left.v[n++] = f[i];
+    if (n >= 3) out.faces.push_back(left);
+  }
+  return out;
+}
+
 SurfaceMesh withoutFoldedFaces(const SurfaceMesh& mesh) {
   SurfaceMesh out{mesh.vertices, {}};
   for (const Face& f : mesh.faces)
@@ -182,9 +202,32 @@ SurfaceMesh withoutFoldedFaces(const SurfaceMesh& mesh) {
 
 }  // namespace
 
+std::vector<Face> withoutFolds(const std::vector<Face>& faces) {
+  std::vector<std::pair<std::array<int, 4>, std::size_t>> keys;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    std::array<int, 4> key = faces[f].v;
+    std::sort(key.begin(), key.end());
+    keys.emplace_back(key, f);
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<bool> gone(faces.size(), false);
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+    if (keys[i].first != keys[i + 1].first) continue;
+    gone[keys[i].second] = gone[keys[i + 1].second] = true;
+    ++i;
+  }
+  std::vector<Face> kept;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    if (!gone[f]) kept.push_back(faces[f]);
+  return kept;
+}
+
 std::vector<Face> tidied(const SurfaceMesh& panels) {
-  SurfaceMesh mesh = withoutFoldedFaces(panels);
-  for (int round = 0; round < kRounds; ++round) mesh = SliverRemoval(mesh).removed();
+  SurfaceMesh mesh = withoutFoldedFaces(withoutNeedles(panels));
+  for (int round = 0; round < kRounds; ++round) {
+    mesh = withoutNeedles(SliverRemoval(mesh).removed());
+    mesh.faces = withoutFolds(mesh.faces);
+  }
   return mesh.faces;
 }
 

@@ -9,4 +9,7 @@ namespace cutwater {
 /// closed.
 std::vector<Face> tidied(const SurfaceMesh& panels);
 
+/// The faces without pairs that lie back to back on the same corners.
+std::vector<Face> withoutFolds(const std::vector<Face>& faces);
+
 }  // namespace cutwater

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "hydro/geometry/MeshIntegrals.h"
+#include "hydro/geometry/outer/PanelTidying.h"
 
 namespace cutwater {
 namespace {
@@ -92,26 +93,6 @@ class Merging {
     }
     s_.mesh.faces = withoutFolds(kept);
     dropUnused();
-  }
-
-  static std::vector<Face> withoutFolds(const std::vector<Face>& faces) {
-    std::vector<std::pair<std::array<int, 4>, std::size_t>> keys;
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      std::array<int, 4> key = faces[f].v;
-      std::sort(key.begin(), key.end());
-      keys.emplace_back(key, f);
-    }
-    std::sort(keys.begin(), keys.end());
-    std::vector<bool> gone(faces.size(), false);
-    for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
-      if (keys[i].first != keys[i + 1].first) continue;
-      gone[keys[i].second] = gone[keys[i + 1].second] = true;
-      ++i;
-    }
-    std::vector<Face> kept;
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      if (!gone[f]) kept.push_back(faces[f]);
-    return kept;
   }
 
   void dropUnused() {

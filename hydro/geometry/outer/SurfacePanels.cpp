@@ -23,6 +23,7 @@ constexpr std::size_t kMostNodes = 40000000;  // of the fine grid
 constexpr double kMirrorTolerance = 1e-3;     // of the size
 constexpr double kShortest = 0.3;             // of the panels' length: shorter edges are merged
 constexpr int kRounds = 8;                    // of smoothing
+constexpr double kTogether = 1e-3;    // of the panels' length: corners of two cells that met
 constexpr double kOnEdge = 0.02;  // of the panels' length: a vertex on an edge is so near
 // Of the panels' length; since moves follow the height of the surface there, they hide no lost part.
 constexpr double kMostMove = 0.08;
@@ -135,7 +136,7 @@ class SurfacePanels {
     smooth(panels, surface, kRounds);
     panels.mesh.faces = tidied(panels.mesh);
     fillOut(panels, surface, out.volume / sides, kMostMove * length);
-    out.panels = welded(withSplitWaterCorners(panels.mesh), 0.0);
+    out.panels = welded(withSplitWaterCorners(panels.mesh), kTogether * length);
     out.panelVolume = sides * volumeIntegrals(out.panels).volume;
     out.betweenPanels = partsBetweenNodes(water, step, fine.top);
     out.betweenPanels.volume *= sides;
