@@ -1,7 +1,7 @@
 """any_hull_test.py CUTWATER: panels on hulls of every kind, checked by readers and sums of our own.
 
-Each shape of hull_shapes.py is written as a file, `cutwater panel` divides it into 433 panels a side,
-and the file of panels is judged alone (panel_checks.py): closed below water, facing it, no slivers,
+Each shape of hull_shapes.py is written as a file, `cutwater panel` divides it into 433 panels a
+side, and the file of panels is judged alone (panel_checks.py): closed below water, facing it, no slivers,
 the volume by x, y and z, and this volume against the true one. With CUTWATER_FULL all shapes are
 tried, and with 1040 panels as well.
 """
@@ -27,8 +27,8 @@ def numbers_of_m3(text):
 
 
 def slenderest(shape, panels):
-    """The worst panel allowed: 20 times as long as wide, which a triangle of a tenth of the usual area
-    is. Along a part thinner than a panel, panels are as wide as the part and twice as long as the
+    """The worst panel allowed: 20 times as long as wide, as a triangle of a tenth of the usual
+    area is. Along a part thinner than a panel, panels are as wide as the part and twice as long as the
     rest."""
     length = (panels.areas().sum() / len(panels.faces)) ** 0.5
     return 20.0 + (2.0 * length / shape.thinnest if shape.thinnest else 0.0)
