@@ -1,9 +1,9 @@
 """any_hull_test.py CUTWATER: panels on hulls of every kind, checked by readers and sums of our own.
 
 Each shape of hull_shapes.py is written as a file, `cutwater panel` divides it into 433 panels a
-side, and the file of panels is judged alone (panel_checks.py): closed below water, facing it, no slivers,
-the volume by x, y and z, and this volume against the true one. With CUTWATER_FULL all shapes are
-tried, and with 1040 panels as well.
+side, and the file of panels is judged alone (panel_checks.py): closed below water, facing it, no
+slivers, the volume by x, y and z, and this volume against the true one. With CUTWATER_FULL all
+shapes are tried, and with 1040 panels as well.
 """
 import re
 import sys
@@ -28,8 +28,8 @@ def numbers_of_m3(text):
 
 def slenderest(shape, panels):
     """The worst panel allowed: 20 times as long as wide, as a triangle of a tenth of the usual
-    area is. Along a part thinner than a panel, panels are as wide as the part and twice as long as the
-    rest."""
+    area is. Along a part thinner than a panel, panels are as wide as the part and twice as long as
+    the rest."""
     length = (panels.areas().sum() / len(panels.faces)) ** 0.5
     return 20.0 + (2.0 * length / shape.thinnest if shape.thinnest else 0.0)
 

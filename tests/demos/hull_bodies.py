@@ -1,4 +1,4 @@
-"""Random bodies: a ship with parts put through it, as solids of known volume, and ways to spoil a mesh.
+"""Random bodies: a ship with parts put through it, solids of known volume, and spoiled meshes.
 
 `body(seed)` is the same for the same seed. The length is 1 until the body is scaled.
 """
@@ -10,7 +10,8 @@ import numpy as np
 from hull_mesh import Mesh, turned
 from hull_volume import union_volume, upright_breaks
 
-PARTS = ("skeg", "strakes", "bilge keels", "rudder", "tunnel", "stepped boxes", "inner skin", "bulb")
+PARTS = ("skeg", "strakes", "bilge keels", "rudder", "tunnel", "stepped boxes", "inner skin",
+         "bulb")
 SPOILS = ("windings", "doubles", "holes", "slivers", "unwelded", "T-junctions")
 
 
@@ -60,7 +61,7 @@ class Ship:
         return [(half * math.sin(a) ** 0.7, depth * (1 - math.cos(a)) ** 1.4) for a in turns]
 
     def rows(self, inwards=0.0):
-        """The outer skin, or a skin inside it by `inwards` times the breadth; both end at the deck."""
+        """The outer skin, or one inside it by `inwards` times the breadth; both end at the deck."""
         wall, found = inwards * self.breadth, []
         for a in range(self.stations + 1):
             x = a / self.stations - 0.5
@@ -102,7 +103,8 @@ def add_part(ship, name, mesh):
     elif name == "stepped boxes":
         for k in range(3):
             y = b / 2 * pick(0.7, 1.0)
-            mesh.box((0.1 * k - 0.3, 0.1 * k - 0.2), (-y, y), (-t * pick(0.8, 1.1), 0.5 * ship.deck))
+            mesh.box((0.1 * k - 0.3, 0.1 * k - 0.2), (-y, y),
+                     (-t * pick(0.8, 1.1), 0.5 * ship.deck))
     elif name == "bulb":
         r = pick(0.1, 0.2) * b
         profile = [(r * math.sin(a), 3 * r * math.cos(a)) for a in np.linspace(math.pi, 0, 11)]
@@ -167,7 +169,8 @@ def pose(ship, random):
     """(matrix, height) that leave the deck dry: heel and trim move its edge by less than half of
     the freeboard."""
     room = 0.5 * ship.deck
-    heel = 0.0 if random.random() < 0.6 else math.degrees(room / ship.breadth) * random.uniform(-1, 1)
+    most = math.degrees(room / ship.breadth)
+    heel = 0.0 if random.random() < 0.6 else most * random.uniform(-1, 1)
     trim = math.degrees(room) * random.uniform(-0.9, 0.9) if random.random() < 0.6 else 0.0
     return (turned(max(-5, min(5, heel)), max(-3, min(3, trim))),
             random.uniform(-0.2, 0.2) * ship.draught)

@@ -1,8 +1,8 @@
 """hull_campaign.py CUTWATER [--count N] [--only SEED] [--jobs 2] [--keep FOLDER]
 
-Random ships (hull_bodies.py), spoiled, through `cutwater panel`. It prints a table of what became of
-them, and fails if one crashed, took more than 30 s, changed its volume by more than 1 % without a
-line that names volumes, or if more than 1 % (of a short draw: more than one) were refused.
+Random ships (hull_bodies.py), spoiled, through `cutwater panel`. It prints a table of what became
+of them. It fails if one crashed, took more than 30 s, or changed its volume by more than 1 % without
+a line that names volumes, or if more than 1 % (of a short draw: more than one) were refused.
 `--only SEED --keep FOLDER` tries a single body and leaves its files.
 """
 import argparse
@@ -43,8 +43,11 @@ def ran(command, seed, folder):
     panels = Panels(out)
     error = panels.volumes()[2] / made.volume - 1
     way = "surface" if "over the surface" in done.stderr else "sections"
-    if panels.open_edges():
-        lines.append(f"{len(panels.open_edges())} open edges")
+    # Where the ship ends in a line, four panels may meet there: as many edges one way as the other.
+    edges = panels.edges()
+    gaps = [edge for edge in panels.open_edges() if edges[edge][0] != edges[edge][1]]
+    if gaps:
+        lines.append(f"{len(gaps)} open edges")
     return way, error, seconds, made.what, lines
 
 
@@ -72,8 +75,8 @@ def report(results):
             reasons[reason(lines[-1] if lines else "no word")] += 1
             print(f"refused: body {seed} ({what}): {lines[-1] if lines else ''}")
         elif abs(error) > SILENT:
-            print(f"V {100 * error:+.2f} %, {'silent' if silent else 'said'}: body {seed} ({what}), "
-                  f"{outcome}")
+            word = "silent" if silent else "said"
+            print(f"V {100 * error:+.2f} %, {word}: body {seed} ({what}), {outcome}")
     leaky = [seed for seed, result in results.items()
              if result[4] and result[4][-1].endswith("open edges")]
     errors = {seed: abs(result[1]) for seed, result in results.items()}
