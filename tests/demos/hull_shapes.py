@@ -243,7 +243,7 @@ def planked_boat():
     mesh.box((-2, 2), (-0.04, 0.04), (-0.48, -0.38))
     for x, half in ((-2, 0.45), (1.96, 0.25)):
         mesh.box((x, x + 0.04), (-half, half), (-0.45, 0.15))
-    return Shape("planked_boat", mesh, 0.747, symmetric=False)
+    return Shape("planked_boat", mesh, 0.747, symmetric=False, thinnest=0.026)
 
 
 def one_sided_part():
