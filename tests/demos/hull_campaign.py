@@ -1,8 +1,9 @@
 """hull_campaign.py CUTWATER [--count N] [--only SEED] [--jobs 2] [--keep FOLDER]
 
-Random ships (hull_bodies.py), spoiled, through `cutwater panel`. It prints a table of what became
-of them. It fails if one crashed, took more than 30 s, or changed its volume by more than 1 % without
-a line that names volumes, or if more than 1 % (of a short draw: more than one) were refused.
+Random ships (hull_bodies.py), spoiled, go through `cutwater panel`. It prints a table of what
+became of them. It fails if one crashed or took more than 30 s, if one changed its volume by
+more than 1 % without a line that names volumes, or if more than 1 % (of a short draw: more than
+one) were refused.
 `--only SEED --keep FOLDER` tries a single body and leaves its files.
 """
 import argparse
