@@ -111,7 +111,7 @@ WaterlineGuess settleWaterline(const SurfaceMesh& mesh, const NewOptions& said, 
 
 void layPanels(const NewOptions& said, double length, NewShip& ship) {
   ship.panels = said.panels.value_or(length < kBoat ? kBoatPanels : kShipPanels);
-  ship.facts.push_back({"panels", std::to_string(ship.panels), said.panels ? "given" : "a guess",
+  ship.facts.push_back({"panels", std::to_string(ship.panels), said.panels ? "given" : "chosen",
                         said.panels ? "" : "a side: 250 for boats, 433 for ships", "--panels"});
   try {
     ship.hull = readPanelled(ship.mesh, ship.options, ship.panels);

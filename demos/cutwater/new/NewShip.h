@@ -26,7 +26,7 @@ struct NewOptions {
 /// One thing that was settled, and how.
 struct NewFact {
   std::string name, value;
-  std::string word;    ///< "given", "certain", "likely", "a guess"
+  std::string word;    ///< "given", "clear", "likely", "a guess", "chosen"
   std::string reason;  ///< in words
   std::string option;  ///< that says otherwise
 };

@@ -68,9 +68,15 @@ struct View {
   double scale, x, y;
 };
 
+// Width of a line [px].
+double penOf(const std::string& kind) {
+  return kind == "section" ? 0.7 : kind == "waterline" ? 1.8 : 1.2;
+}
+
 std::string path(const View& view, const Segments& segments, const std::string& kind) {
   if (segments.empty()) return {};
-  std::string text = fmt::format("<path class=\"{}\" d=\"", kind);
+  std::string text = fmt::format("<path class=\"{}\" stroke-width=\"{:.3g}\" d=\"", kind,
+                                 penOf(kind) / view.scale);
   for (const Segment& s : segments)
     fmt::format_to(std::back_inserter(text), "M{:.5g} {:.5g}L{:.5g} {:.5g}", s.from[view.right],
                    s.from[view.up], s.to[view.right], s.to[view.up]);
@@ -84,12 +90,14 @@ std::string group(const View& view, const std::string& inside) {
 }
 
 // Calm water seen from the side: a line, and what is under it.
-std::string water(double left, double right, double bottom) {
+std::string water(const View& view, double left, double right, double bottom) {
   const double beyond = 0.03 * (right - left);
   return fmt::format(
       "<rect class=\"water\" x=\"{0:.5g}\" y=\"{1:.5g}\" width=\"{2:.5g}\" height=\"{3:.5g}\"/>\n"
-      "<line class=\"waterline\" x1=\"{0:.5g}\" y1=\"0\" x2=\"{4:.5g}\" y2=\"0\"/>\n",
-      left - beyond, bottom, right - left + 2.0 * beyond, -bottom, right + beyond);
+      "<line class=\"waterline\" x1=\"{0:.5g}\" y1=\"0\" x2=\"{4:.5g}\" y2=\"0\" "
+      "stroke-width=\"{5:.3g}\"/>\n",
+      left - beyond, bottom, right - left + 2.0 * beyond, -bottom, right + beyond,
+      penOf("waterline") / view.scale);
 }
 
 std::string profile(const View& view, const SurfaceMesh& mesh, const SurfaceMesh& triangles,
@@ -100,7 +108,7 @@ std::string profile(const View& view, const SurfaceMesh& mesh, const SurfaceMesh
     const Segments one = section(triangles, 1, y + 1e-6 * box.diagonal());
     buttocks.insert(buttocks.end(), one.begin(), one.end());
   }
-  return group(view, water(box.low.x(), box.high.x(), std::min(box.low.z(), 0.0)) +
+  return group(view, water(view, box.low.x(), box.high.x(), std::min(box.low.z(), 0.0)) +
                          path(view, buttocks, "section") + path(view, outline(mesh, 1), "edge"));
 }
 
@@ -130,7 +138,7 @@ std::string body(const View& view, const SurfaceMesh& triangles, const Bounds& b
       stations.push_back(s);
     }
   }
-  return group(view, water(box.low.y(), box.high.y(), std::min(box.low.z(), 0.0)) +
+  return group(view, water(view, box.low.y(), box.high.y(), std::min(box.low.z(), 0.0)) +
                          path(view, stations, "edge"));
 }
 
@@ -159,9 +167,9 @@ std::string text(double x, double y, const std::string& kind, const std::string&
 constexpr const char* kStyle =
     "<style>\n"
     "text{font:13px sans-serif;fill:#222}.title{font-size:18px;font-weight:bold}\n"
-    "path,line{fill:none;stroke:#222;stroke-width:1.2px;vector-effect:non-scaling-stroke}\n"
-    ".section{stroke:#9aa4ad;stroke-width:.7px}.water{fill:#d8ecf8}\n"
-    ".waterline{stroke:#0a6ebd;stroke-width:1.8px}\n"
+    "path,line{fill:none;stroke:#222;stroke-linecap:round}\n"
+    ".section{stroke:#9aa4ad}.water{fill:#d8ecf8}\n"
+    ".waterline{stroke:#0a6ebd}\n"
     "</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
 
 }  // namespace

@@ -26,7 +26,7 @@ std::vector<Evidence> habitsOfUp(const Direction& up, const AxisConvention& usua
     list.push_back({3.0, usual.format + " has it so"});
   if (usual.up.empty() && up.axis == 2) list.push_back({1.0, "most files of ships have z up"});
   if (usual.up.empty() && up.axis == 1) list.push_back({0.5, "models for games have y up"});
-  if (up.sign > 0) list.push_back({1.5, "files point up the positive way"});
+  if (up.sign > 0) list.push_back({1.5, "axes mostly point up"});
   return list;
 }
 
@@ -36,7 +36,7 @@ std::vector<Evidence> habitsOfForward(const Direction& forward, const AxisConven
     list.push_back({0.8, usual.format + " has it so"});
   if (usual.forward.empty() && forward.axis == 0 && forward.sign > 0)
     list.push_back({0.8, "most files of ships have x forward"});
-  if (forward.sign > 0) list.push_back({0.3, "files point forward the positive way"});
+  if (forward.sign > 0) list.push_back({0.3, "axes mostly point forward"});
   return list;
 }
 

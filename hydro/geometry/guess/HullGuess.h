@@ -18,9 +18,9 @@ struct Guess {
   Value value{};
   double confidence = 1.0;
   std::string reason{};
-  /// "certain", "likely" or "a guess", from 0.95 and 0.75 on.
+  /// "clear", "likely" or "a guess", from 0.95 and 0.75 on.
   std::string word() const {
-    return confidence > 0.95 ? "certain" : confidence > 0.75 ? "likely" : "a guess";
+    return confidence > 0.95 ? "clear" : confidence > 0.75 ? "likely" : "a guess";
   }
 };
 
