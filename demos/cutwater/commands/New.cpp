@@ -55,10 +55,7 @@ void report(const NewShip& ship) {
 void warnOfNewShip(const NewShip& ship) {
   const Hydrostatics& h = ship.hydrostatics;
   if (!ship.problem.empty())
-    warn(ship.mesh +
-         ": `cutwater solve` will refuse this hull as it is, size and volume are of "
-         "its faces: " +
-         ship.problem);
+    warn("`cutwater solve` will refuse the hull as it is: " + ship.problem);
   if (h.gmT <= 0.0)
     warn(fmt::format("GM is {:.3g} m: it is not stable upright; a lower --cog-height", h.gmT));
   const double excess = ship.mass / h.displacement - 1.0;
@@ -77,6 +74,8 @@ void newShipFile(const std::string& hull, const NewOptions& options, bool force,
     throw UsageError("-o " + shortened(out) + ": must end in .toml");
   if (fs::path(hull).extension() == ".toml")
     throw HydroError(Fault::BadArgument, hull + ": is a ship.toml already, not a mesh");
+  if (options.up && options.forward && options.up->back() == options.forward->back())
+    throw UsageError("--forward " + *options.forward + ": is the axis that points up");
   const std::string picture = fs::path(out).replace_extension(".svg").string();
   for (const std::string& path : {out, picture}) requireNew(path, force);
   const NewShip ship = newShip(hull, options);
@@ -87,8 +86,9 @@ void newShipFile(const std::string& hull, const NewOptions& options, bool force,
   warnOfNewShip(ship);
   writeText(shipToml(ship, relativeName(hull, out)), out);
   writeText(svg, picture);
-  say(fmt::format("{} and {} are written; look at the picture, then: cutwater solve {} -o {}", out,
-                  picture, out, fs::path(out).replace_extension(".h5").string()));
+  const std::string next = fmt::format("; look at the picture, then: cutwater solve {} -o {}", out,
+                                       fs::path(out).replace_extension(".h5").string());
+  say(out + " and " + picture + " are written" + (ship.problem.empty() ? next : ""));
 }
 
 }  // namespace cutwater::command

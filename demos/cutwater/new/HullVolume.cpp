@@ -7,6 +7,7 @@
 #include "hydro/Errors.h"
 #include "hydro/geometry/MeshCut.h"
 #include "hydro/geometry/MeshIntegrals.h"
+#include "hydro/geometry/guess/HullGuess.h"
 
 namespace cutwater::command {
 
@@ -24,10 +25,20 @@ Vec3 threeVolumes(const SurfaceMesh& surface) {
   return volumes;
 }
 
-// The volume below the height [m].
-double volumeBelow(SurfaceMesh surface, double height) {
-  for (Vec3& p : surface.vertices) p.z() -= height;
-  return volumeIntegrals(cutBelow(surface)).volume;
+// A vessel of planks or of two skins is closed, its three volumes agree, and yet they are those of
+// the wood alone: a tenth or a third of what it keeps the water from. Columns on pontoons, which
+// volumeFromBelow counts as filled down to the pontoons, have more than this share of it.
+constexpr double kSolid = 0.4;
+
+bool isSolid(const SurfaceMesh& surface, double volume) {
+  return volume > kSolid * volumeFromBelow(surface, "z", 0.0);
+}
+
+// The volume below the height [m], as hydrostatics takes it: of a symmetric hull twice the port half.
+double volumeBelow(const HullVolume& hull, double height) {
+  Hull lowered{hull.surface, hull.symmetric};
+  for (Vec3& p : lowered.surface.vertices) p.z() -= height;
+  return volumeIntegrals(displacingSurface(lowered)).volume;
 }
 
 }  // namespace
@@ -43,7 +54,11 @@ HullVolume readHullVolume(const std::string& mesh, const MeshReadOptions& option
       asItIs.surface = turnedOver(asItIs.surface);
       volumes = -volumes;
     }
-    if (!(volumes.minCoeff() > (1.0 - kAgree) * volumes.maxCoeff())) throw;
+    const bool agree = volumes.minCoeff() > (1.0 - kAgree) * volumes.maxCoeff();
+    if (!agree || !isSolid(asItIs.surface, volumes.z()))
+      throw HydroError(error.fault(), asItIs.problem +
+                                          "; nor do its faces as they are give a volume that can "
+                                          "be trusted, so nothing is written");
     return asItIs;
   }
 }
@@ -58,7 +73,7 @@ double waterlineFor(const std::string& mesh, MeshReadOptions options, double vol
     const HullVolume hull = readHullVolume(mesh, options);
     const Bounds box = bounds(hull.surface);
     double low = box.low.z(), high = (highest - options.waterline) * unit;
-    const double most = volumeBelow(hull.surface, high);
+    const double most = volumeBelow(hull, high);
     if (most < volume)
       throw HydroError(Fault::ValueOutOfRange,
                        fmt::format("{}: displaces {:.4g} m3 at most before water comes in, "
@@ -66,7 +81,7 @@ double waterlineFor(const std::string& mesh, MeshReadOptions options, double vol
                                    mesh, most, volume));
     for (int i = 0; i < 60; ++i) {
       const double middle = 0.5 * (low + high);
-      (volumeBelow(hull.surface, middle) < volume ? low : high) = middle;
+      (volumeBelow(hull, middle) < volume ? low : high) = middle;
       if (high - low < 1e-9 * box.diagonal()) break;
     }
     options.waterline += high / unit;

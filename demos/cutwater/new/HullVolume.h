@@ -13,7 +13,7 @@ struct HullVolume {
   std::string problem;  ///< why it is not repaired; empty if it is
 };
 /// The repaired hull; where the repair refuses, the faces as they are, if the volumes below calm
-/// water by x, by y and by z agree within 1 %.
+/// water by x, by y and by z agree within 1 % and are not those of thin planks alone.
 /// @throws HydroError what the repair says if they do not.
 HullVolume readHullVolume(const std::string& mesh, const MeshReadOptions& options);
 

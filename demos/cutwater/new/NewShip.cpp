@@ -54,7 +54,8 @@ void settleAxes(const SurfaceMesh& mesh, const NewOptions& said, NewShip& ship) 
 void settleUnit(const SurfaceMesh& mesh, const NewOptions& said, NewShip& ship) {
   const Vec3 size = extents(mesh, ship.options);
   const double length = size.x();
-  Guess<std::string> unit = guessUnit(size.maxCoeff(), isGltf(ship.mesh));
+  const bool game = isGltf(ship.mesh) || ship.options.up.back() == 'y';
+  Guess<std::string> unit = guessUnit(size.maxCoeff(), game);
   if (said.unit) unit.value = *said.unit;
   if (unit.value.empty())
     throw HydroError(
@@ -79,6 +80,18 @@ double firstWaterline(const SurfaceMesh& mesh, const std::string& up, const Wate
     (there < volume ? low : high) = middle;
   }
   return std::min(high, guess.deck);
+}
+
+// Calm water above or below all of the mesh is a slip.
+void requireInHull(const NewShip& ship, const WaterlineGuess& guess) {
+  const MeshReadOptions& o = ship.options;
+  const bool inside =
+      o.waterline > guess.low && o.waterline < guess.high + 2e-3 * (guess.high - guess.low);
+  if (inside || o.trimDeg != 0.0 || o.heelDeg != 0.0) return;
+  throw HydroError(Fault::HullNotInWater,
+                   fmt::format("{}: calm water at {:.6g} along {} is outside the mesh, which lies "
+                               "from {:.6g} to {:.6g} ({}); see --waterline and --draught",
+                               ship.mesh, o.waterline, o.up, guess.low, guess.high, o.unit));
 }
 
 WaterlineGuess settleWaterline(const SurfaceMesh& mesh, const NewOptions& said, NewShip& ship) {
@@ -106,6 +119,7 @@ WaterlineGuess settleWaterline(const SurfaceMesh& mesh, const NewOptions& said, 
   ship.options.waterline = guess.height.value;
   line.value = fmt::format("{:.5g}", guess.height.value);
   ship.facts.push_back(line);
+  requireInHull(ship, guess);
   return guess;
 }
 
@@ -138,6 +152,8 @@ void settleLoading(const NewOptions& said, const WaterlineGuess& guess, NewShip&
   if (said.cogHeight) line = {"height of G", "", "given", "above calm water", "--cog-height"};
   ship.cog = h.buoyancy;
   if (ship.hull.symmetric) ship.cog.y() = 0.0;
+  for (double& place : ship.cog)  // round-off of what is alike on both sides
+    if (std::abs(place) < 1e-9 * (h.length + h.beam)) place = 0.0;
   ship.cog.z() = said.cogHeight.value_or(std::min(usual, highest));
   line.value = fmt::format("{:.4g} m", ship.cog.z());
   ship.facts.push_back(line);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "hydro/Errors.h"
 #include "hydro/geometry/guess/AxisEvidence.h"
 
 namespace cutwater {
@@ -111,6 +112,7 @@ double extent(const SurfaceMesh& mesh, int axis) {
 AxesGuess guessAxes(const SurfaceMesh& mesh, const AxesHints& hints) {
   const AxisEvidence evidence(mesh);
   const std::vector<Reading> all = readings(evidence, hints);
+  if (all.empty()) throw HydroError(Fault::BadArgument, "up and forward are the same axis");
   const Reading& best = all.front();
   AxesGuess guess;
   guess.up = {best.up.name(),
@@ -135,15 +137,14 @@ AxesGuess guessAxes(const SurfaceMesh& mesh, const AxesHints& hints) {
   return guess;
 }
 
-Guess<std::string> guessUnit(double length, bool metres) {
+Guess<std::string> guessUnit(double length, bool game) {
   constexpr double shortest = 0.8, longest = 450.0;  // [m]: a model in a tank, a large ship
   const auto fits = [&](double unit) { return length * unit >= 3.0 && length * unit <= longest; };
   if (length >= shortest && length <= longest)
-    return {"m", length < 3.0 ? 0.8 : 0.98,
-            metres ? "glTF is in metres" : "metres make a length that ships have"};
+    return {"m", length < 3.0 ? 0.8 : 0.98, "metres make a length that ships have"};
   if (length < shortest) return {"", 0.5, "it is shorter than a model in a tank in every unit"};
   const bool cm = fits(0.01), mm = fits(0.001);
-  if (cm && (!mm || metres)) return {"cm", 0.7, "metres would make it longer than any ship"};
+  if (cm && (!mm || game)) return {"cm", 0.7, "metres would make it longer than any ship"};
   if (mm) return {"mm", cm ? 0.55 : 0.8, "metres would make it longer than any ship"};
   return {"", 0.5, "it is longer than any ship in every unit"};
 }

@@ -46,13 +46,14 @@ struct AxesGuess {
 /// forward: the longer horizontal axis, port and starboard alike, the end with the finer plan.
 /// Beside these the habits of formats, and axes that point the positive way.
 /// @param mesh  in the file's own axes and unit, any surface; not empty.
+/// @throws HydroError BadArgument where the hints put up and forward on one axis.
 /// O(faces + 1e6), a tenth of a second.
 AxesGuess guessAxes(const SurfaceMesh& mesh, const AxesHints& hints);
 
-/// "m", "cm", "mm" for a length along `forward` in the file's unit: what makes 0.8 to 450 m, the
-/// unit of the format first. An empty value: no unit makes a ship of it.
-/// @param metres  the format says that its unit is the metre (glTF).
-Guess<std::string> guessUnit(double length, bool metres);
+/// "m", "cm", "mm" for a length along `forward` in the file's unit: what makes a ship of
+/// 3 to 450 m, metres first and from 0.8 m on (models in tanks). An empty value: no unit makes a ship of it.
+/// @param game  a model for games, rather in cm than in mm where both make a ship.
+Guess<std::string> guessUnit(double length, bool game);
 
 /// Height of calm water along `up`, in the file's unit.
 struct WaterlineGuess {
