@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "demos/cutwater/new/NewShip.h"
+#include "demos/cutwater/input/NewShip.h"
 #include "demos/cutwater/output/Messages.h"
 #include "hydro/Errors.h"
 #include "hydro/database/Coefficients.h"

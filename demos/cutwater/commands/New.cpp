@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "demos/cutwater/commands/Commands.h"
-#include "demos/cutwater/new/ShipToml.h"
+#include "demos/cutwater/commands/ShipToml.h"
 #include "demos/cutwater/output/HullPicture.h"
 #include "demos/cutwater/output/OutputFile.h"
 #include "hydro/base/AtomicFile.h"

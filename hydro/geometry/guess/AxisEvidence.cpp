@@ -128,7 +128,11 @@ std::vector<Evidence> AxisEvidence::up(int axis, int sign) const {
   add(list, -3.0 * std::max(0.0, mirror_[i] - 0.8) / 0.2, "it is a mirror image across it");
   const double offset = std::abs(0.5 * (low_[axis] + high_[axis])) / size_[axis];
   add(list, offset > 0.02 ? 0.7 : -0.5, "the file's origin is not in the middle of it");
-  if (turnsAbout(axis)) add(list, 3.0, "the body is alike after a quarter turn about it");
+  const double wide = std::max(size_[(axis + 1) % 3], size_[(axis + 2) % 3]);
+  if (turnsAbout(axis))
+    add(list, 3.0, "the body is alike after a quarter turn about it");
+  else
+    add(list, -3.0 * std::clamp(std::log(size_[axis] / wide), 0.0, 2.0), "it would stand on end");
   const double under = -(sign > 0 ? low_[axis] : -high_[axis]) / size_[axis];
   if (under > 0.55 && under < 1.1 && turnsAbout(axis))
     add(list, 1.5, "most of it lies below the file's 0");

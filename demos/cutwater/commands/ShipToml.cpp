@@ -1,4 +1,4 @@
-#include "demos/cutwater/new/ShipToml.h"
+#include "demos/cutwater/commands/ShipToml.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "demos/cutwater/new/NewShip.h"
+#include "demos/cutwater/input/NewShip.h"
 
 namespace cutwater::command {
 

@@ -1,4 +1,4 @@
-#include "demos/cutwater/new/HullVolume.h"
+#include "demos/cutwater/input/HullVolume.h"
 
 #include <fmt/format.h>
 

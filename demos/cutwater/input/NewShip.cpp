@@ -1,4 +1,4 @@
-#include "demos/cutwater/new/NewShip.h"
+#include "demos/cutwater/input/NewShip.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "demos/cutwater/input/HullFile.h"
-#include "demos/cutwater/new/HullVolume.h"
+#include "demos/cutwater/input/HullVolume.h"
 #include "demos/cutwater/output/Messages.h"
 #include "hydro/Errors.h"
 #include "hydro/geometry/guess/HullGuess.h"
