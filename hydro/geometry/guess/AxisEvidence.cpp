@@ -38,6 +38,38 @@ LooseEdges looseEdgesOf(const SurfaceMesh& mesh, const Vec3& low, const Vec3& si
   return loose;
 }
 
+// Mean depth of what a surface of these heights, 0 to 1, holds when it is filled from above.
+template <typename Height>
+double heldOn(const TwoSidedView& view, const Height& height) {
+  constexpr int n = TwoSidedView::kCells;
+  // The level at which it runs over: no lower than the ground, nor than the lowest way out.
+  std::vector<double> level(view.cells.size(), 1.0);
+  const auto at = [&](int i, int j) {
+    const bool inside = i >= 0 && j >= 0 && i < n && j < n && view.at(i, j).seen();
+    return inside ? level[static_cast<std::size_t>(j * n + i)] : 0.0;
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (int k = 0; k < 2 * n * n; ++k) {  // forth and back, so that a few rounds are enough
+      const int c = k < n * n ? k : 2 * n * n - 1 - k, i = c % n, j = c / n;
+      if (!view.at(i, j).seen()) continue;
+      const double out = std::min({at(i - 1, j), at(i + 1, j), at(i, j - 1), at(i, j + 1)});
+      const double lower = std::max(height(view.at(i, j)), out);
+      double& here = level[static_cast<std::size_t>(c)];
+      changed = changed || lower < here;
+      here = std::min(here, lower);
+    }
+  }
+  double depth = 0.0;
+  int seen = 0;
+  for (std::size_t c = 0; c < view.cells.size(); ++c) {
+    if (!view.cells[c].seen()) continue;
+    ++seen;
+    depth += level[c] - height(view.cells[c]);
+  }
+  return seen > 0 ? depth / seen : 0.0;
+}
+
 void add(std::vector<Evidence>& list, double weight, const std::string& reason) {
   if (weight != 0.0) list.push_back({weight, reason});
 }
@@ -77,17 +109,13 @@ double AxisEvidence::levelTop(int axis) const {
   return seen > 0 ? static_cast<double>(balance) / seen : 0.0;
 }
 
-// Share of the plan where a thin skin lies near the beginning of the axis, less that near its end:
-// 1 for a bowl, −1 for a bowl turned over.
+// How deep rain would stand on it, over its plan, less how deep air would be caught below it, in
+// parts of its height: about a half for a bowl, minus as much for one turned over. The tunnel of twin
+// hulls is open at its ends and holds nothing.
 double AxisEvidence::bowl(int axis) const {
-  int seen = 0, balance = 0;
-  for (const TwoSidedView::Cell& cell : views_[index(axis)].cells) {
-    if (!cell.seen()) continue;
-    ++seen;
-    if (cell.high - cell.low > 0.3) continue;
-    balance += cell.high + cell.low < 1.0 ? 1 : -1;
-  }
-  return seen > 0 ? static_cast<double>(balance) / seen : 0.0;
+  const TwoSidedView& view = views_[index(axis)];
+  return heldOn(view, [](const TwoSidedView::Cell& cell) { return cell.high; }) -
+         heldOn(view, [](const TwoSidedView::Cell& cell) { return 1.0 - cell.low; });
 }
 
 // Most of the plan is covered at that end, so that no open edge there opens it.
@@ -115,11 +143,12 @@ double AxisEvidence::endShare(int up, int axis, bool high) const {
 std::vector<Evidence> AxisEvidence::up(int axis, int sign) const {
   std::vector<Evidence> list;
   const std::size_t i = index(axis);
-  const double level = sign * levelTop(axis), thin = sign * bowl(axis);
+  const double level = sign * levelTop(axis), held = sign * bowl(axis);
   add(list, 5.0 * level,
       level > 0.0 ? "the side that looks this way is level, the other is not"
                   : "the other side is the level one");
-  add(list, 4.0 * thin, thin > 0.0 ? "it is a bowl that opens this way" : "it opens the other way");
+  add(list, 10.0 * held,
+      held > 0.0 ? "it is a bowl that opens this way" : "it opens the other way");
   if (openHeight_[i] >= 0.0 && !closedAtEnd(axis, openHeight_[i] > 0.5)) {
     const double open = sign * (openHeight_[i] - 0.5);
     add(list, 4.0 * open,
@@ -130,12 +159,12 @@ std::vector<Evidence> AxisEvidence::up(int axis, int sign) const {
   add(list, offset > 0.02 ? 0.7 : -0.5, "the file's origin is not in the middle of it");
   const double wide = std::max(size_[(axis + 1) % 3], size_[(axis + 2) % 3]);
   if (turnsAbout(axis))
-    add(list, 3.0, "the body is alike after a quarter turn about it");
+    add(list, 4.0, "the body is alike after a quarter turn about it");
   else
     add(list, -3.0 * std::clamp(std::log(size_[axis] / wide), 0.0, 2.0), "it would stand on end");
   const double under = -(sign > 0 ? low_[axis] : -high_[axis]) / size_[axis];
   if (under > 0.55 && under < 1.1 && turnsAbout(axis))
-    add(list, 1.5, "most of it lies below the file's 0");
+    add(list, 2.2, "most of it lies below the file's 0");
   return list;
 }
 
@@ -146,8 +175,9 @@ std::vector<Evidence> AxisEvidence::forward(int axis, int sign, int up) const {
   add(list, std::clamp(3.0 * ratio, -4.0, 1.5), "it is the longer way");
   const double image = endsAtZero_[index(side)] ? 0.97 : mirror_[index(side)];
   add(list, 5.0 * (std::max(image, 0.5) - 0.5), "port and starboard are alike then");
-  add(list, std::clamp(2.0 * std::log(size_[side] / size_[up]), -2.0, 1.5),
-      "it is broader than high then");
+  if (!turnsAbout(up))
+    add(list, std::clamp(2.0 * std::log(size_[side] / size_[up]), -2.0, 1.5),
+        "it is broader than high then");
   const double fine = endShare(up, axis, sign < 0) - endShare(up, axis, sign > 0);
   add(list, std::clamp(12.0 * fine, -5.0, 5.0),
       fine > 0.0 ? "the plan is finer at this end" : "the plan is fuller at this end");
