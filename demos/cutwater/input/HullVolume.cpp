@@ -34,7 +34,8 @@ bool isSolid(const SurfaceMesh& surface, double volume) {
   return volume > kSolid * volumeFromBelow(surface, "z", 0.0);
 }
 
-// The volume below the height [m], as hydrostatics takes it: of a symmetric hull twice the port half.
+// The volume below the height [m], as hydrostatics takes it: of a symmetric hull twice the port
+// half.
 double volumeBelow(const HullVolume& hull, double height) {
   Hull lowered{hull.surface, hull.symmetric};
   for (Vec3& p : lowered.surface.vertices) p.z() -= height;

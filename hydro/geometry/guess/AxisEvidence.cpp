@@ -110,8 +110,8 @@ double AxisEvidence::levelTop(int axis) const {
 }
 
 // How deep rain would stand on it, over its plan, less how deep air would be caught below it, in
-// parts of its height: about a half for a bowl, minus as much for one turned over. The tunnel of twin
-// hulls is open at its ends and holds nothing.
+// parts of its height: about a half for a bowl, minus as much for one turned over. The tunnel of
+// twin hulls is open at its ends and holds nothing.
 double AxisEvidence::bowl(int axis) const {
   const TwoSidedView& view = views_[index(axis)];
   return heldOn(view, [](const TwoSidedView::Cell& cell) { return cell.high; }) -

@@ -51,7 +51,8 @@ struct AxesGuess {
 AxesGuess guessAxes(const SurfaceMesh& mesh, const AxesHints& hints);
 
 /// "m", "cm", "mm" for a length along `forward` in the file's unit: what makes a ship of
-/// 3 to 450 m, metres first and from 0.8 m on (models in tanks). An empty value: no unit makes a ship of it.
+/// 3 to 450 m, metres first and from 0.8 m on (models in tanks). An empty value: no unit makes a
+/// ship of it.
 /// @param game  a model for games, rather in cm than in mm where both make a ship.
 Guess<std::string> guessUnit(double length, bool game);
 
@@ -63,8 +64,8 @@ struct WaterlineGuess {
   double high = 0.0;   ///< of the highest point
   bool inFile = true;  ///< 0 is calm water in the file; else the height is made up
 };
-/// 0 where the file's 0 lies between 2 % and 98 % of the hull's depth above its lowest point, or the
-/// mesh ends there; else 45 % of that depth.
+/// 0 where the file's 0 lies between 2 % and 98 % of the hull's depth above its lowest point, or
+/// the mesh ends there; else 45 % of that depth.
 /// @param up  as AxesGuess::up.
 WaterlineGuess guessWaterline(const SurfaceMesh& mesh, const std::string& up);
 

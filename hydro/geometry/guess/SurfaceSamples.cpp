@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kCells = Occupied::kCells;
 constexpr double kStep = 0.45 / kCells;
+constexpr double kSame = 1e-9;  // of the height: round-off
 const double kLevel = std::cos(10.0 * kPi / 180.0);
 
 int cellOf(double place) { return std::clamp(static_cast<int>(place * kCells), 0, kCells - 1); }
@@ -124,14 +125,14 @@ TwoSidedView viewAlong(const std::vector<SurfaceSample>& samples, int axis) {
                               static_cast<std::size_t>(cellOf(s.place[view.along]));
     TwoSidedView::Cell& cell = view.cells[index];
     const bool level = std::abs(s.normal[axis]) > kLevel;
-    if (s.place[axis] < cell.low) {
-      cell.low = s.place[axis];
-      cell.lowLevel = level;
-    }
-    if (s.place[axis] > cell.high) {
-      cell.high = s.place[axis];
-      cell.highLevel = level;
-    }
+    // At an edge two faces are as high: what is level there covers the cell.
+    const double height = s.place[axis];
+    cell.lowLevel =
+        (level && height < cell.low + kSame) || (cell.lowLevel && height > cell.low - kSame);
+    cell.highLevel =
+        (level && height > cell.high - kSame) || (cell.highLevel && height < cell.high + kSame);
+    cell.low = std::min(cell.low, height);
+    cell.high = std::max(cell.high, height);
   }
   return view;
 }
