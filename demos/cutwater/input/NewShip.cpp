@@ -17,8 +17,10 @@ namespace {
 
 constexpr double kBoat = 25.0;  // [m]: below it panels as games have them
 constexpr int kBoatPanels = 250, kShipPanels = 433;
-constexpr double kHeightOfG = 0.6;  // of the depth, above the lowest point
-constexpr double kLeastGm = 0.05;   // of the beam
+constexpr double kHeightOfG = 0.6;                      // of the depth, above the lowest point
+constexpr double kLeastGm = 0.05;                       // of the beam
+constexpr double kLeastDepth = 1.1, kUsualDepth = 1.8;  // in draughts
+constexpr double kRod = 0.29;  // gyradius of a rod, 1/sqrt(12) of its length
 
 bool isGltf(const std::string& mesh) {
   std::string end = mesh.substr(std::min(mesh.size(), mesh.rfind('.')));
@@ -136,34 +138,39 @@ void layPanels(const NewOptions& said, double length, NewShip& ship) {
   }
 }
 
-// G over the centre of buoyancy, no higher than leaves it a GM of 5 % of the beam.
+// Height of G above calm water [m]: a usual one, or lower where that leaves a GM of 5 % of the beam.
+NewFact heightOfG(const NewOptions& said, const WaterlineGuess& guess, const Hydrostatics& h,
+                  double unit, double& height) {
+  NewFact line{"height of G", "", "a guess", "60 % of the depth, above calm water", "--cog-height"};
+  double depth = (guess.deck - guess.low) * unit;
+  if (depth < kLeastDepth * h.draft) {  // the mesh ends at calm water, or little above
+    depth = kUsualDepth * h.draft;
+    line.reason = fmt::format("60 % of a depth of {:g} draughts, above calm water", kUsualDepth);
+  }
+  const double usual = kHeightOfG * depth - h.draft;
+  const double highest = h.buoyancy.z() + h.bmT - kLeastGm * h.beam;
+  if (usual > highest) line.reason = "what leaves a GM of 5 % of the beam, above calm water";
+  height = said.cogHeight.value_or(std::min(usual, highest));
+  if (said.cogHeight) line = {"height of G", "", "given", "above calm water", "--cog-height"};
+  line.value = fmt::format("{:.4g} m", height);
+  return line;
+}
+
 void settleLoading(const NewOptions& said, const WaterlineGuess& guess, NewShip& ship) {
   const Water water{.density = said.density};
   const Hydrostatics h = afloat(ship.hull, {}, water).hydrostatics;
-  const double unit = ship.hull.file.metresPerUnit;
-  const double keel = -h.draft, depth = (guess.deck - guess.low) * unit;
-  const double metacentre = h.buoyancy.z() + h.bmT;
-  const double usual = keel + kHeightOfG * depth;
-  const double highest = metacentre - kLeastGm * h.beam;
-  NewFact line{"height of G", "", "a guess",
-               usual <= highest ? "60 % of the depth, above calm water"
-                                : "what leaves a GM of 5 % of the beam, above calm water",
-               "--cog-height"};
-  if (said.cogHeight) line = {"height of G", "", "given", "above calm water", "--cog-height"};
   ship.cog = h.buoyancy;
   if (ship.hull.symmetric) ship.cog.y() = 0.0;
   for (double& place : ship.cog)  // round-off of what is alike on both sides
     if (std::abs(place) < 1e-9 * (h.length + h.beam)) place = 0.0;
-  ship.cog.z() = said.cogHeight.value_or(std::min(usual, highest));
-  line.value = fmt::format("{:.4g} m", ship.cog.z());
-  ship.facts.push_back(line);
+  ship.facts.push_back(heightOfG(said, guess, h, ship.hull.file.metresPerUnit, ship.cog.z()));
   const Afloat floating = afloat(ship.hull, {.mass = said.mass, .cog = ship.cog}, water);
   ship.hydrostatics = floating.hydrostatics;
   ship.mass = floating.ship.mass;
   ship.givenMass = said.mass;
   ship.gyradii = floating.ship.gyradii;
-  const double height = bounds(ship.hull.surface).high.z() - keel;
-  if (!ship.directed) ship.gyradii = ship.gyradii.cwiseMax(Vec3(0.29 * height, 0.29 * height, 0.0));
+  const double height = bounds(ship.hull.surface).high.z() + h.draft;
+  if (!ship.directed) ship.gyradii = ship.gyradii.cwiseMax(Vec3(kRod * height, kRod * height, 0));
 }
 
 }  // namespace

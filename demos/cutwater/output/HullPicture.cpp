@@ -70,7 +70,7 @@ struct View {
 
 // Width of a line [px].
 double penOf(const std::string& kind) {
-  return kind == "section" ? 0.7 : kind == "waterline" ? 1.8 : 1.2;
+  return kind == "section" ? 0.7 : kind == "waterline" ? 1.8 : 1.0;
 }
 
 std::string path(const View& view, const Segments& segments, const std::string& kind) {
@@ -172,9 +172,8 @@ constexpr const char* kStyle =
     ".waterline{stroke:#0a6ebd}\n"
     "</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
 
-}  // namespace
-
-std::string svgOf(const HullPicture& picture) {
+// The three views, from `y` [px] down; `y` becomes the lowest place used.
+std::string views(const HullPicture& picture, double& y) {
   const SurfaceMesh mesh = welded(picture.surface, 1e-6 * bounds(picture.surface).diagonal());
   const SurfaceMesh triangles = triangulated(mesh);
   const Bounds box = bounds(mesh);
@@ -183,24 +182,31 @@ std::string svgOf(const HullPicture& picture) {
   const double scale =
       std::min({0.94 * inner / size.x(), kTallest / size.z(), kTallest / size.y()});
   const double bodyScale = std::min(0.45 * inner / size.y(), 0.8 * kTallest / size.z());
-  double y = kMargin + 16.0;
-  std::string content = text(kMargin, y, "title", picture.title);
-  for (const std::string& line : picture.lines) content += text(kMargin, y += 19.0, "line", line);
-  const auto add = [&](const std::string& name, const std::string& id, int right, int up, double s,
-                       const auto& draw) {
+  std::string content;
+  const auto next = [&](const std::string& name, const std::string& id, int right, int up,
+                        double s) {
     content += text(kMargin, y += 34.0, "name", name);
     const double top = y + 12.0;
     y = top + s * size[up];
-    content +=
-        draw(View{id, right, up, s, 0.5 * kWidth - s * middle[right], top + s * box.high[up]});
+    return View{id, right, up, s, 0.5 * kWidth - s * middle[right], top + s * box.high[up]};
   };
-  add("Profile, bow to the right", "profile", 0, 2, scale,
-      [&](const View& view) { return profile(view, mesh, triangles, box); });
-  add("Plan, port up; blue: the waterline", "plan", 0, 1, scale,
-      [&](const View& view) { return plan(view, mesh, triangles, box); });
-  add(picture.symmetric ? "Body plan: after body left, fore body right" : "Body plan, from ahead",
-      "body", 1, 2, bodyScale,
-      [&](const View& view) { return body(view, triangles, box, picture.symmetric); });
+  const View side = next("Profile, bow to the right", "profile", 0, 2, scale);
+  content += profile(side, mesh, triangles, box);
+  const View above = next("Plan, port up; blue: the waterline", "plan", 0, 1, scale);
+  content += plan(above, mesh, triangles, box);
+  const std::string bodyPlan =
+      picture.symmetric ? "Body plan: after body left, fore body right" : "Body plan, from ahead";
+  const View ahead = next(bodyPlan, "body", 1, 2, bodyScale);
+  return content + body(ahead, triangles, box, picture.symmetric);
+}
+
+}  // namespace
+
+std::string svgOf(const HullPicture& picture) {
+  double y = kMargin + 16.0;
+  std::string content = text(kMargin, y, "title", picture.title);
+  for (const std::string& line : picture.lines) content += text(kMargin, y += 19.0, "line", line);
+  content += views(picture, y);
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
              "viewBox=\"0 0 {0:.0f} {1:.0f}\">\n",

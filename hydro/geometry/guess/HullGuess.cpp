@@ -138,10 +138,13 @@ AxesGuess guessAxes(const SurfaceMesh& mesh, const AxesHints& hints) {
 }
 
 Guess<std::string> guessUnit(double length, bool game) {
+  constexpr double kLarge = 300.0;                   // [m]
   constexpr double shortest = 0.8, longest = 450.0;  // [m]: a model in a tank, a large ship
   const auto fits = [&](double unit) { return length * unit >= 3.0 && length * unit <= longest; };
   if (length >= shortest && length <= longest)
-    return {"m", length < 3.0 ? 0.8 : 0.98, "metres make a length that ships have"};
+    return {"m", length < 3.0 || length > kLarge ? 0.8 : 0.98,
+            length > kLarge ? "metres make a very large ship of it, feet a large one"
+                            : "metres make a length that ships have"};
   if (length < shortest) return {"", 0.5, "it is shorter than a model in a tank in every unit"};
   const bool cm = fits(0.01), mm = fits(0.001);
   if (cm && (!mm || game)) return {"cm", 0.7, "metres would make it longer than any ship"};
@@ -193,6 +196,14 @@ Columns columnsOf(const SurfaceMesh& mesh, const std::string& name) {
   return columns;
 }
 
+// The file's 0 lies in the hull, that share of its depth above the lowest point.
+Guess<double> zeroInside(bool halfWay, double share) {
+  if (halfWay) return {0.0, 0.8, "the file's 0 lies in it (just half way up, which may be chance)"};
+  if (share < 0.1) return {0.0, 0.7, "the file's 0 lies in it, though low"};
+  if (share > 0.9) return {0.0, 0.7, "the file's 0 lies in it, though high"};
+  return {0.0, 0.97, "the file's 0 lies in it"};
+}
+
 }  // namespace
 
 WaterlineGuess guessWaterline(const SurfaceMesh& mesh, const std::string& up) {
@@ -210,10 +221,7 @@ WaterlineGuess guessWaterline(const SurfaceMesh& mesh, const std::string& up) {
   if (std::abs(guess.high) < near) {
     guess.height = {0.0, 0.97, "the mesh ends at the file's 0"};
   } else if (under > 0.02 && under < 0.98 && guess.high > 0.0) {
-    const bool centred = std::abs(guess.low + guess.high) < near;
-    guess.height = {0.0, centred ? 0.8 : 0.97,
-                    centred ? "the file's 0 lies in it (just half way up, which may be chance)"
-                            : "the file's 0 lies in it"};
+    guess.height = zeroInside(std::abs(guess.low + guess.high) < near, under);
   } else {
     guess.height = {guess.low + 0.45 * depth, 0.5,
                     "the file's 0 is not in the hull; 45 % of its depth is made up"};
