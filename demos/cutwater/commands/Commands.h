@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "demos/cutwater/input/NewShip.h"
 #include "demos/cutwater/output/Messages.h"
 #include "hydro/Errors.h"
 #include "hydro/database/Coefficients.h"
@@ -31,6 +32,10 @@ void buoyancy(const std::string& ship, const PoseOptions& poses, const std::stri
 /// Panels for `hull`, a mesh (read with `options`) or a SHIP.toml, written as OBJ in hull axes.
 void panel(const std::string& hull, int count, const MeshReadOptions& options, PanelsBy by,
            const std::string& out);
+/// A ship.toml for the mesh `hull`, guessed as far as it is not said, and a picture of it beside.
+/// @param out  the ship.toml; of a name in .toml.  @param force  writes over files that are there.
+void newShipFile(const std::string& hull, const NewOptions& options, bool force,
+                 const std::string& out);
 void solve(const std::string& ship, const std::string& database, int threads);
 void info(const std::string& database, const std::string& out);
 
