@@ -138,7 +138,8 @@ void layPanels(const NewOptions& said, double length, NewShip& ship) {
   }
 }
 
-// Height of G above calm water [m]: a usual one, or lower where that leaves a GM of 5 % of the beam.
+// Height of G above calm water [m]: a usual one, or lower where GM would be less than 5 % of the
+// beam.
 NewFact heightOfG(const NewOptions& said, const WaterlineGuess& guess, const Hydrostatics& h,
                   const MeshReadOptions& options, double& height) {
   NewFact line{"height of G", "", "a guess", "60 % of the depth, above calm water", "--cog-height"};
