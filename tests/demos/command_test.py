@@ -967,8 +967,8 @@ class Errors(Files):
 
     def test_help_and_version_exit_zero(self):
         self.assertEqual(call("--version").returncode, 0)
-        for name in ("hydrostatics righting buoyancy panel solve info coefficients excitation rao "
-                     "retardation simulate sweep").split():
+        for name in ("new hydrostatics righting buoyancy panel solve info coefficients excitation "
+                     "rao retardation simulate sweep").split():
             done = call(name, "--help")
             self.assertEqual(done.returncode, 0)
             self.assertIn("Example", done.stdout)

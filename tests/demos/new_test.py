@@ -240,6 +240,10 @@ class New(InFolder):
     def test_what_is_refused(self):
         self.refused(2, "must end in .toml", out="none.txt")
         self.refused(2, "is the axis that points up", options=("--up", "x", "--forward", "-x"))
+        for option in ("--draught", "--displacement", "--mass", "--cog-height", "--trim", "--heel",
+                       "--density", "--waterline"):
+            for value in ("nan", "inf", "-1e20"):
+                self.refused(2, option, "must be in", options=(option, value))
         self.refused(1, "no such file", mesh=self.path("nothing.obj"))
         self.refused(1, "is a ship.toml already", mesh=f"{MESHES}/boat/ship.toml")
         self.refused(1, "outside the mesh", "--draught", options=("--draught", "20"))

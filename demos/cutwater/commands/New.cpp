@@ -29,6 +29,22 @@ std::string relativeName(const std::string& mesh, const std::string& toml) {
   return fs::weakly_canonical(fs::absolute(mesh)).lexically_proximate(folder).generic_string();
 }
 
+// What CLI11 lets through: "nan" and "inf" are numbers to it.
+void requireSensible(const NewOptions& o) {
+  const auto check = [](const char* option, std::optional<double> value, double low, double high) {
+    if (value && !(*value >= low && *value <= high))
+      throw UsageError(fmt::format("{} {:g}: must be in {:g}..{:g}", option, *value, low, high));
+  };
+  check("--waterline", o.waterline, -1e6, 1e6);
+  check("--draught", o.draught, 1e-6, 1e4);
+  check("--displacement", o.displacement, 1e-9, 1e15);
+  check("--mass", o.mass, 1e-9, 1e15);
+  check("--cog-height", o.cogHeight, -1e4, 1e4);
+  check("--trim", o.trimDeg, -45.0, 45.0);
+  check("--heel", o.heelDeg, -89.0, 89.0);
+  check("--density", o.density, 1.0, 1e5);
+}
+
 std::string sizes(const Hydrostatics& h) {
   return fmt::format("L x B x T {:.4g} x {:.4g} x {:.4g} m, volume {:.5g} m3", h.length, h.beam,
                      h.draft, h.volume);
@@ -74,6 +90,7 @@ void newShipFile(const std::string& hull, const NewOptions& options, bool force,
     throw UsageError("-o " + shortened(out) + ": must end in .toml");
   if (fs::path(hull).extension() == ".toml")
     throw HydroError(Fault::BadArgument, hull + ": is a ship.toml already, not a mesh");
+  requireSensible(options);
   if (options.up && options.forward && options.up->back() == options.forward->back())
     throw UsageError("--forward " + *options.forward + ": is the axis that points up");
   const std::string picture = fs::path(out).replace_extension(".svg").string();

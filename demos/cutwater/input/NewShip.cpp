@@ -138,16 +138,19 @@ void layPanels(const NewOptions& said, double length, NewShip& ship) {
   }
 }
 
-// Height of G above calm water [m]: a usual one, or lower where that leaves a GM of 5 % of the beam.
+// Height of G above calm water [m]: a usual one, or lower where GM would be less than 5 % of the
+// beam.
 NewFact heightOfG(const NewOptions& said, const WaterlineGuess& guess, const Hydrostatics& h,
-                  double unit, double& height) {
+                  const MeshReadOptions& options, double& height) {
   NewFact line{"height of G", "", "a guess", "60 % of the depth, above calm water", "--cog-height"};
+  const double unit = filePlacement(options).metresPerUnit;
+  const double draught = (options.waterline - guess.low) * unit;  // without trim
   double depth = (guess.deck - guess.low) * unit;
-  if (depth < kLeastDepth * h.draft) {  // the mesh ends at calm water, or little above
-    depth = kUsualDepth * h.draft;
+  if (depth < kLeastDepth * draught) {  // the mesh ends at calm water, or little above
+    depth = kUsualDepth * draught;
     line.reason = fmt::format("60 % of a depth of {:g} draughts, above calm water", kUsualDepth);
   }
-  const double usual = kHeightOfG * depth - h.draft;
+  const double usual = kHeightOfG * depth - draught;
   const double highest = h.buoyancy.z() + h.bmT - kLeastGm * h.beam;
   if (usual > highest) line.reason = "what leaves a GM of 5 % of the beam, above calm water";
   height = said.cogHeight.value_or(std::min(usual, highest));
@@ -163,7 +166,7 @@ void settleLoading(const NewOptions& said, const WaterlineGuess& guess, NewShip&
   if (ship.hull.symmetric) ship.cog.y() = 0.0;
   for (double& place : ship.cog)  // round-off of what is alike on both sides
     if (std::abs(place) < 1e-9 * (h.length + h.beam)) place = 0.0;
-  ship.facts.push_back(heightOfG(said, guess, h, ship.hull.file.metresPerUnit, ship.cog.z()));
+  ship.facts.push_back(heightOfG(said, guess, h, ship.options, ship.cog.z()));
   const Afloat floating = afloat(ship.hull, {.mass = said.mass, .cog = ship.cog}, water);
   ship.hydrostatics = floating.hydrostatics;
   ship.mass = floating.ship.mass;
