@@ -5,34 +5,14 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
-#include "hydro/geometry/MeshCut.h"
 #include "hydro/geometry/MeshIntegrals.h"
-#include "hydro/geometry/guess/HullGuess.h"
 
 namespace cutwater::command {
 
 namespace {
 
-constexpr double kAgree = 0.01;  // of the volume: what `new` says to three digits
-
-// ∫ r_i n_i dS of the part below calm water for i = x, y, z: the volume three times if it is closed
-// there, as the lid on z = 0 adds nothing to any of them.
-Vec3 threeVolumes(const SurfaceMesh& surface) {
-  const SurfaceMesh wet = triangulated(cutBelow(surface));
-  Vec3 volumes = Vec3::Zero();
-  for (const Face& face : wet.faces)
-    volumes += meanCorner(wet, face).cwiseProduct(vectorArea(wet, face));
-  return volumes;
-}
-
-// A vessel of planks or of two skins is closed, its three volumes agree, and yet they are those of
-// the wood alone: a tenth or a third of what it keeps the water from. Columns on pontoons, which
-// volumeFromBelow counts as filled down to the pontoons, have more than this share of it.
-constexpr double kSolid = 0.4;
-
-bool isSolid(const SurfaceMesh& surface, double volume) {
-  return volume > kSolid * volumeFromBelow(surface, "z", 0.0);
-}
+// Enough for an outer surface whose volume is right to 0.1 %.
+constexpr int kPanels = 433;
 
 // The volume below the height [m], as hydrostatics takes it: of a symmetric hull twice the port
 // half.
@@ -45,23 +25,13 @@ double volumeBelow(const HullVolume& hull, double height) {
 }  // namespace
 
 HullVolume readHullVolume(const std::string& mesh, const MeshReadOptions& options) {
+  Hull hull;
   try {
-    RepairedHull repaired = readRepaired(mesh, options);
-    return {std::move(repaired.hull.surface), repaired.hull.symmetric, repaired.hull.file, {}};
-  } catch (const HydroError& error) {
-    HullVolume asItIs{readSurface(mesh, options), false, filePlacement(options), error.what()};
-    Vec3 volumes = threeVolumes(asItIs.surface);
-    if (volumes.sum() < 0.0) {
-      asItIs.surface = turnedOver(asItIs.surface);
-      volumes = -volumes;
-    }
-    const bool agree = volumes.minCoeff() > (1.0 - kAgree) * volumes.maxCoeff();
-    if (!agree || !isSolid(asItIs.surface, volumes.z()))
-      throw HydroError(error.fault(), asItIs.problem +
-                                          "; nor do its faces as they are give a volume that can "
-                                          "be trusted, so nothing is written");
-    return asItIs;
+    hull = readRepaired(mesh, options).hull;
+  } catch (const HydroError&) {
+    hull = readAnyHull(mesh, kPanels, options, PanelsBy::Surface).hull;
   }
+  return {std::move(hull.surface), hull.symmetric, hull.file};
 }
 
 double waterlineFor(const std::string& mesh, MeshReadOptions options, double volume, double start,

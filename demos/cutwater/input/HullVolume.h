@@ -5,16 +5,14 @@
 
 namespace cutwater::command {
 
-/// A hull whose volume can be trusted, repaired if that goes.
+/// A hull whose volume can be trusted.
 struct HullVolume {
   SurfaceMesh surface;  ///< hull axes [m]
   bool symmetric = false;
   FilePlacement file = {};
-  std::string problem;  ///< why it is not repaired; empty if it is
 };
-/// The repaired hull; where the repair refuses, the faces as they are, if the volumes below calm
-/// water by x, by y and by z agree within 1 % and are not those of thin planks alone.
-/// @throws HydroError what the repair says if they do not.
+/// The repaired hull; where the repair refuses, the outer surface that keeps the water out.
+/// @throws HydroError as readAnyHull.
 HullVolume readHullVolume(const std::string& mesh, const MeshReadOptions& options);
 
 /// The waterline, in the file's unit, at which the hull displaces `volume` [m³].

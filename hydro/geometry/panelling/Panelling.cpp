@@ -29,7 +29,8 @@ constexpr double kMostRatio = 2.4, kLonger = 1.06, kMostLacking = 0.0045 * 1040,
 constexpr double kShortestRatio = 1.0;
 constexpr double kLeastWaterCrowding = 0.05, kLeastEndCrowding = 0.1, kMostEndCrowding = 0.2;
 constexpr double kMostStretched = 0.045;
-constexpr int kTries = 12;  // to meet the count
+constexpr int kTries = 12;    // to meet the count
+constexpr int kMostGaps = 4;  // tries that end with a gap
 constexpr double kMostExcess = 0.02;
 constexpr double kCloseEnough = 0.01, kFarOff = 0.05;  // of the count
 
@@ -63,12 +64,17 @@ class HullPanels {
     ratio_ = lengthPerGirth(girthwise);
     girthwise *= std::sqrt(kLeastRatio / ratio_);
     SurfaceMesh best = nearest(wanted, girthwise);
-    if (stretchedShare(best) > kMostStretched) relieve(best, wanted, girthwise);
-    while (ratio_ < kMostRatio && (lacking(best) > kMostLacking || gapIn(best))) {
+    if (stretchedShare(best) > kMostStretched && !gapIn(best)) relieve(best, wanted, girthwise);
+    int gaps = 0;  // where sections do not match, longer panels help at once or not at all
+    while (ratio_ < kMostRatio && gaps < kMostGaps &&
+           (lacking(best) > kMostLacking || gapIn(best))) {
       ratio_ *= kLonger;
       girthwise /= std::sqrt(kLonger);
       SurfaceMesh longer = nearest(wanted, girthwise);
-      if (gapIn(longer)) continue;
+      if (gapIn(longer)) {
+        ++gaps;
+        continue;
+      }
       if (!gapIn(best) && lacking(longer) > lacking(best)) break;
       if (gapIn(best) || stretchedShare(longer) < kMostStretched) best = std::move(longer);
     }

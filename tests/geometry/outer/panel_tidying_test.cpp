@@ -16,7 +16,7 @@ TEST(PanelTidyingIdentity, WhatIsTidyStaysAsItIs) {
 TEST(PanelTidyingClosedForm, ASliversMiddleCornerGoesToTheFaceAcrossItsLongestEdge) {
   // A square, an edge of which has a sliver of 0.001 m beside it, and a square beyond that.
   const SurfaceMesh mesh{
-      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 1.001, 0}, {1, 2, 0}, {0, 2, 0}},
+      {{0, 0, -1}, {1, 0, -1}, {1, 1, -1}, {0, 1, -1}, {0.5, 1.001, -1}, {1, 2, -1}, {0, 2, -1}},
       {{{0, 1, 2, 3}}, {{3, 2, 4, -1}}, {{3, 4, 6, -1}}, {{4, 2, 5, -1}}, {{4, 5, 6, -1}}}};
   const SurfaceMesh tidy{mesh.vertices, tidied(mesh)};
   EXPECT_NEAR(surfaceArea(tidy), 2.0, 1e-12);
@@ -25,7 +25,7 @@ TEST(PanelTidyingClosedForm, ASliversMiddleCornerGoesToTheFaceAcrossItsLongestEd
 }
 
 TEST(PanelTidyingClosedForm, AReentrantQuadrilateralIsDividedWithin) {
-  const SurfaceMesh mesh{{{0, 0, 0}, {2, 0, 0}, {0.4, 0.4, 0}, {0, 2, 0}}, {{{0, 1, 2, 3}}}};
+  const SurfaceMesh mesh{{{0, 0, -1}, {2, 0, -1}, {0.4, 0.4, -1}, {0, 2, -1}}, {{{0, 1, 2, 3}}}};
   const SurfaceMesh turned{mesh.vertices, {{{1, 2, 3, 0}}}};
   for (const SurfaceMesh& m : {mesh, turned}) {
     const SurfaceMesh tidy{m.vertices, tidied(m)};
