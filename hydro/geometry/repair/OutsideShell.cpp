@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "hydro/Errors.h"
+#include "hydro/base/ParallelFor.h"
 #include "hydro/geometry/PlaceText.h"
 #include "hydro/geometry/repair/CrackClosing.h"
 #include "hydro/geometry/repair/OutsideView.h"
@@ -70,12 +71,13 @@ class ShellFinder {
   }
 
   void look() {
-    patches_.clear();
     const OutsideView view(wet_);
-    for (SurfacePatch& patch : surfacePatches(wet_, name_, firstCut_)) {
-      const OutsideView::PatchView seen = view.of(patch);
-      patches_.push_back({std::move(patch), seen, split_});
-    }
+    std::vector<SurfacePatch> patches = surfacePatches(wet_, name_, firstCut_);
+    patches_.assign(patches.size(), {});
+    parallelFor(patches.size(), 0, [&](std::size_t i) {
+      const OutsideView::PatchView seen = view.of(patches[i]);
+      patches_[i] = {std::move(patches[i]), seen, split_};
+    });
   }
 
   const SeenPatch* firstHidden() const {

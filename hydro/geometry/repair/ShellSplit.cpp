@@ -83,8 +83,8 @@ void splitBy(const CutPlane& plane, const Triangle& t, double tolerance,
       out.push_back({part[0], part[i], part[i + 1]});
 }
 
-// To look at each part from the water takes two milliseconds.
-constexpr std::size_t kMostParts = 1000;
+// To look at each part from the water takes about two milliseconds.
+constexpr std::size_t kMostParts = 2000;
 
 class Splitter {
  public:
