@@ -12,7 +12,7 @@ namespace cutwater::command {
 void listShip(Listing& rows, const ShipParticulars& ship);
 void listHydrostatics(Listing& rows, const ShipParticulars& ship, const Hydrostatics& h);
 
-/// Length, beam and draught of the panels of both sides, their volume and the hull's [m³], in words.
+/// Length, beam and draught of the panels of both sides, their volume and the hull's [m³].
 std::string sizeText(const SurfaceMesh& wholeWet, double hullVolume);
 
 /// Largest distance of A(∞) of the ω = ∞ problem itself from the one in use, in % of √(A_jj A_kk).

@@ -18,11 +18,13 @@ enum class PanelsBy {
 ///     for (const std::string& line : ship.done) std::puts(line.c_str());
 struct AnyHull {
   Hull hull;
-  SurfaceMesh panels;                ///< of the port half if hull.symmetric, else of both sides
-  PanelsBy by = PanelsBy::Sections;  ///< the way that was taken
-  double volume = 0.0;               ///< [m³] of the outer surface below calm water
-  double panelVolume = 0.0;          ///< [m³] that the panels enclose, both sides
-  std::vector<std::string> done;     ///< one line each, for people
+  SurfaceMesh panels;  ///< of the port half if hull.symmetric, else of both sides
+  /// The way that was taken. Panels by surface are to be solved as flat ones (PanelShape::Flat):
+  /// their corners stand off so far that they enclose the volume.
+  PanelsBy by = PanelsBy::Sections;
+  double volume = 0.0;            ///< [m³] of the outer surface below calm water
+  double panelVolume = 0.0;       ///< [m³] that the panels enclose, both sides
+  std::vector<std::string> done;  ///< one line each, for people
 };
 
 /// Repairs the mesh (repair/MeshRepair.h) and lays about `count` panels a side between sections.
@@ -32,7 +34,7 @@ struct AnyHull {
 /// one that is open above water is closed there as a bowl that is filled, with a line that says so.
 /// @param name  of the file, for messages.
 /// @throws HydroError as cleanSurface and outerSurface; with PanelsBy::Sections as repairedHull and
-///   panelled; ValueOutOfRange for a count below kFewestPanels or above kMostPanels.
+///   panelled; ValueOutOfRange for a count below kFewestPanels or above kMostPanels (panelling/Panelling.h: 20 and 20 000).
 AnyHull anyHull(const SurfaceMesh& raw, int count, const std::string& name,
                 Symmetry symmetry = Symmetry::Auto, PanelsBy by = PanelsBy::Auto);
 

@@ -25,7 +25,7 @@ constexpr double kShortest = 0.3;             // of the panels' length: shorter 
 constexpr int kRounds = 8;                    // of smoothing
 constexpr double kTogether = 1e-3;    // of the panels' length: corners of two cells that met
 constexpr double kOnEdge = 0.02;  // of the panels' length: a vertex on an edge is so near
-// Of the panels' length; since moves follow the height of the surface there, they hide no lost part.
+// Of the panels' length; moves follow the height of the surface there and hide no lost part.
 constexpr double kMostMove = 0.08;
 constexpr int kTries = 8, kTryStep = 2;
 constexpr double kCloseEnough = 0.05;  // of the count
