@@ -99,6 +99,7 @@ void addPanel(CLI::App& app, Arguments& a) {
   sub->add_option("--waterline", a.mesh.waterline, "height of calm water in it; default 0");
   sub->add_option("--symmetric", a.mesh.symmetric, "auto (default), none or half")
       ->check(CLI::IsMember(command::kSymmetryNames));
+  sub->add_flag("--any-format", a.mesh.anyFormat, "any other format that Assimp reads");
   sub->add_option("--by", a.panelsBy, "auto (default), sections (ships) or surface (anything)")
       ->check(CLI::IsMember(command::kPanelsByNames));
   sub->callback([&a] {

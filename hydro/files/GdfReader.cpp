@@ -1,5 +1,8 @@
 #include "hydro/files/GdfReader.h"
 
+#include <charconv>
+#include <system_error>
+
 #include "hydro/files/TextScanner.h"
 
 namespace cutwater {
@@ -9,6 +12,19 @@ bool flag(const TextScanner& text, double value, const char* what) {
   if (value != 0.0 && value != 1.0)
     text.fail(std::string(what) + " is " + std::to_string(value) + ", not 0 or 1");
   return value == 1.0;
+}
+
+/// Higher-order files have a second whole number, IGDEF, after the number of patches: 0 for flat
+/// ones, which are panels, others for surfaces that are no panels.
+void refuseHigherOrder(TextScanner& text) {
+  const std::string word = text.wordInLine();
+  int kind = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), kind);
+  if (error != std::errc() || end != word.data() + word.size() || kind == 0) return;
+  const std::string what = kind == 1 ? "B-spline patches" : "surfaces by their own formulas";
+  text.fail("IGDEF is " + word + ": a higher-order file of " + what +
+                "; only low-order panels are read, export such a file or another mesh",
+            Fault::FormatNotSupported);
 }
 
 SurfaceMesh withImage(const SurfaceMesh& mesh, int axis) {
@@ -30,6 +46,7 @@ GdfSurface parseGdf(const std::string& file, const std::string& name) {
   text.endRecord();
   // Twelve numbers with a blank after each: a count that lies cannot make us allocate.
   const int panels = text.nextCount("NPAN", static_cast<double>(file.size()) / 23.0);
+  refuseHigherOrder(text);
   text.endRecord();
   if (panels == 0) text.fail("NPAN is 0: no panels", Fault::MeshEmpty);
 

@@ -193,9 +193,11 @@ SurfaceMesh readFaces(const std::string& path, bool anyFormat, bool& mirrored) {
   if (format == "off") return parseOff(wholeFile(path), path);
   if (!isDefault(format) && !anyFormat)
     throw HydroError(Fault::FormatNotSupported,
-                     path + ": '." + format +
-                         "' is read only with any_format = true; by default: .obj .stl .ply .gltf "
-                         ".glb .off .dae .gdf");
+                     path + ": '." + format + "' is " +
+                         (Assimp::Importer().IsExtensionSupported("." + format)
+                              ? "read only with any_format = true; by default: "
+                              : "not read; what is: ") +
+                         ".obj .stl .ply .gltf .glb .off .dae .gdf");
   if (format == "dae") checkCollada(wholeFile(path), path);
   try {
     return AssimpReader(path, anyFormat).read();
@@ -268,6 +270,13 @@ RepairedHull readRepaired(const std::string& path, const MeshReadOptions& option
   RepairedHull repaired = repairedHull(read.mesh, path, read.symmetry);
   repaired.hull.file = read.file;
   return repaired;
+}
+
+CrackedHull readCracked(const std::string& path, const MeshReadOptions& options) {
+  const TurnedSurface read = readTurned(path, options);
+  CrackedHull made = crackedHull(read.mesh, path, read.symmetry);
+  made.hull.file = read.file;
+  return made;
 }
 
 AnyHull readAnyHull(const std::string& path, int count, const MeshReadOptions& options,

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "hydro/geometry/anyhull/AnyHull.h"
+#include "hydro/geometry/repair/CrackedHull.h"
 #include "hydro/geometry/repair/MeshRepair.h"
 
 /// Hulls from mesh files.
@@ -40,6 +41,9 @@ SurfaceMesh readSurface(const std::string& path, const MeshReadOptions& options 
 
 /// readSurface, then makeHull. @throws what they throw.
 Hull readHull(const std::string& path, const MeshReadOptions& options = {});
+
+/// readSurface, then crackedHull. @throws what they throw.
+CrackedHull readCracked(const std::string& path, const MeshReadOptions& options = {});
 
 /// readSurface, then repairedHull. @throws what they throw.
 RepairedHull readRepaired(const std::string& path, const MeshReadOptions& options = {});

@@ -39,6 +39,15 @@ TEST(GdfReaderIdentity, NumbersMayBeWrappedInAnyWay) {
   }
 }
 
+TEST(GdfReader, HigherOrderFilesAreNamedAsSuch) {
+  test::expectRefusal(Fault::FormatNotSupported, {"hull.gdf: line 4", "IGDEF is 1", "B-spline"},
+                      [] { parseGdf(gdfOfOnePanel("1 9.8", "0 0", "1 1"), "hull.gdf"); });
+  test::expectRefusal(Fault::FormatNotSupported, {"IGDEF is -5", "higher-order"},
+                      [] { parseGdf(gdfOfOnePanel("1 9.8", "0 0", "1 -5"), "hull.gdf"); });
+  // Flat patches are panels.
+  EXPECT_EQ(parseGdf(gdfOfOnePanel("1 9.8", "0 0", "1 0"), "hull.gdf").mesh.faces.size(), 1u);
+}
+
 TEST(GdfReaderIdentity, TextAfterTheNumbersOfARecordIsIgnored) {
   const std::string said = gdfOfOnePanel("1.0D0, 9.8  ULEN GRAV 7 8", "0 0 ISX ISY 5", "1 NPAN 3");
   const SurfaceMesh read = parseGdf(said, "hull.gdf").mesh;

@@ -23,11 +23,33 @@ void warnOfVolume(const std::string& mesh, const AnyHull& made) {
                   mesh, made.panelVolume, made.volume, 100 * off));
 }
 
+// Faces that share their edges, or nearly so, as other panel methods take them.
+PanelledHull readAsItIs(const std::string& mesh, const MeshReadOptions& options) {
+  try {
+    return panelledAsItIs(readHull(mesh, options));
+  } catch (const HydroError& error) {
+    if (error.fault() != Fault::HullNotClosed && error.fault() != Fault::HullInverted) throw;
+    CrackedHull made;
+    try {
+      made = readCracked(mesh, options);
+    } catch (const HydroError&) {
+      throw error;
+    }
+    warn(
+        fmt::format("{}: {} edges below water have one face (hanging nodes or gaps below {:.2g} "
+                    "m); the volumes by x, y and z are {:.6g}, {:.6g} and {:.6g} m3",
+                    mesh, made.looseEdges, made.tolerance, made.volumes.x(), made.volumes.y(),
+                    made.volumes.z()));
+    return {std::move(made.hull.surface), std::move(made.panels), made.hull.symmetric,
+            made.hull.file};
+  }
+}
+
 }  // namespace
 
 PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& options,
                           std::optional<int> count, PanelsBy by) {
-  if (!count) return panelledAsItIs(readHull(mesh, options));
+  if (!count) return readAsItIs(mesh, options);
   AnyHull made = readAnyHull(mesh, *count, options, by);
   for (const std::string& line : made.done) say(mesh + ": " + line);
   warnOfVolume(mesh, made);
@@ -52,7 +74,9 @@ std::string adviceFor(const TomlSection& hull, const std::string& mesh, Fault fa
     advice +=
         "; is the hull upright? [hull] up is \"z\" and forward \"x\" unless given, glTF has "
         "up = \"y\", forward = \"z\"";
-  if (fault == Fault::HullNotClosed && !panels)
+  const bool faces = fault == Fault::HullNotClosed || fault == Fault::HullPartHidden ||
+                     fault == Fault::HullInverted;
+  if (faces && !panels)
     advice += "; with [hull] panels = 250 the mesh is repaired and divided into panels";
   return advice;
 }
