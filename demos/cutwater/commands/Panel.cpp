@@ -18,7 +18,11 @@ PanelledHull readAny(const std::string& hull, int count, const MeshReadOptions& 
   if (std::filesystem::path(hull).extension() != ".toml")
     return readPanelled(hull, options, count, by);
   TomlFile file(hull);
-  return readHullSection(file, count, by);
+  const HullRequest request = readHullRequest(file, count, by);
+  if (request.floats)
+    warn(hull +
+         ": [hull] float = true needs the rest of the file: panels are of the hull as drawn");
+  return readPanelled(request);
 }
 
 }  // namespace

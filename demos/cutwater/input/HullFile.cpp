@@ -13,6 +13,9 @@ namespace cutwater::command {
 namespace {
 
 constexpr double kVolumeOff = 0.01;  // from here on it is said
+// Longer than any ship, and shorter than any model that is towed [m]; broader and deeper than any
+// body that is not laid wrongly, of the length and of the breadth.
+constexpr double kLongest = 1000.0, kShortest = 0.05, kBroadest = 2.5, kDeepest = 4.0;
 
 void warnOfVolume(const std::string& mesh, const AnyHull& made) {
   const double off = made.panelVolume / made.volume - 1;
@@ -66,51 +69,84 @@ PanelsBy panelsBy(const std::string& name) {
 namespace {
 
 // What the file's owner may have meant otherwise.
-std::string adviceFor(const TomlSection& hull, const std::string& mesh, Fault fault,
-                      const std::optional<int>& panels) {
+std::string adviceFor(const HullRequest& request, Fault fault) {
   std::string advice;
-  const bool gltf = mesh.ends_with(".glb") || mesh.ends_with(".gltf");
-  if (gltf && (!hull.has("up") || !hull.has("forward")))
+  const bool gltf = request.mesh.ends_with(".glb") || request.mesh.ends_with(".gltf");
+  if (gltf && !request.axesGiven)
     advice +=
         "; is the hull upright? [hull] up is \"z\" and forward \"x\" unless given, glTF has "
         "up = \"y\", forward = \"z\"";
   const bool faces = fault == Fault::HullNotClosed || fault == Fault::HullPartHidden ||
                      fault == Fault::HullInverted;
-  if (faces && !panels)
+  if (faces && !request.panels)
     advice += "; with [hull] panels = 250 the mesh is repaired and divided into panels";
+  if (fault == Fault::HullNotInWater)
+    advice +=
+        "; [hull] waterline is the height of calm water in the file, 0 unless given: is its "
+        "origin at the keel?";
   return advice;
+}
+
+// Lengths that a ship has not: the unit is another one, or the hull lies on its side or across.
+void requireShipshape(const HullRequest& request, const PanelledHull& hull) {
+  const Bounds box = bounds(wholeWet(hull));
+  const Vec3 size = box.high - box.low;
+  const auto refuse = [&](const std::string& what) {
+    throw HydroError(
+        Fault::ValueOutOfRange,
+        fmt::format("{}: the hull would be {:.4g} x {:.4g} x {:.4g} m in the water; {}",
+                    request.mesh, size.x(), size.y(), size.z(), what));
+  };
+  if (size.x() > kLongest || size.maxCoeff() < kShortest)
+    refuse("is [hull] unit right? It is m, mm, cm, ft or in, and m unless given");
+  if (size.y() > kBroadest * size.x())
+    refuse("is [hull] forward right? It is the file's axis to the bow, x unless given");
+  if (size.z() > kDeepest * size.y() && size.x() > kDeepest * size.y())
+    refuse("is [hull] up right? It is the file's axis that points up, z unless given");
 }
 
 }  // namespace
 
-PanelledHull readHullSection(TomlFile& file, std::optional<int> count, PanelsBy by) {
+HullRequest readHullRequest(TomlFile& file, std::optional<int> count, PanelsBy by) {
   TomlSection hull = file.section("hull");
   if (!hull.has("mesh")) hull.refuse("mesh", "is missing; it names the hull file");
-  const std::string mesh = hull.file("mesh");
-  MeshReadOptions options;
+  HullRequest request;
+  request.mesh = hull.file("mesh");
+  MeshReadOptions& options = request.options;
+  request.axesGiven = hull.has("up") && hull.has("forward");
   options.up = hull.text("up", options.up, kAxisNames);
   options.forward = hull.text("forward", options.forward, kAxisNames);
   if (options.up.back() == options.forward.back())
     hull.refuse("forward", "is the axis that points up");
   options.unit = hull.text("unit", options.unit, kUnitNames);
   options.waterline = hull.number("waterline", 0.0, -1e6, 1e6);
+  request.floats = hull.boolean("float", false);
+  for (const char* key : {"trim_deg", "heel_deg"})
+    if (request.floats && hull.has(key)) hull.refuse(key, "is found by float = true");
   options.trimDeg = hull.number("trim_deg", 0.0, -45.0, 45.0);
   options.heelDeg = hull.number("heel_deg", 0.0, -89.9, 89.9);
   options.anyFormat = hull.boolean("any_format", false);
   options.symmetric = hull.text("symmetric", "auto", kSymmetryNames);
-  std::optional<int> panels = count;
+  request.panels = count;
   if (hull.isNumber("panels")) {
     const int own = hull.integer("panels", 0, kFewestPanels, kMostPanels);
-    panels = count.value_or(own);
+    request.panels = count.value_or(own);
   } else {
     hull.text("panels", "as-is", {"as-is"});
   }
   const PanelsBy own = panelsBy(hull.text("panels_by", "auto", kPanelsByNames));
+  request.by = by == PanelsBy::Auto ? own : by;
   hull.finish();
+  return request;
+}
+
+PanelledHull readPanelled(const HullRequest& request) {
   try {
-    return readPanelled(mesh, options, panels, by == PanelsBy::Auto ? own : by);
+    PanelledHull hull = readPanelled(request.mesh, request.options, request.panels, request.by);
+    requireShipshape(request, hull);
+    return hull;
   } catch (const HydroError& error) {
-    throw HydroError(error.fault(), error.what() + adviceFor(hull, mesh, error.fault(), panels));
+    throw HydroError(error.fault(), error.what() + adviceFor(request, error.fault()));
   }
 }
 

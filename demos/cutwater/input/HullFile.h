@@ -24,9 +24,20 @@ PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& option
 /// One of kPanelsByNames.
 PanelsBy panelsBy(const std::string& name);
 
-/// The [hull] section of a SHIP.toml. `count` overrides its `panels`, `by` its `panels_by` if it is
-/// not Auto.
-PanelledHull readHullSection(TomlFile& file, std::optional<int> count = {},
-                             PanelsBy by = PanelsBy::Auto);
+/// What the [hull] section of a SHIP.toml asks for.
+struct HullRequest {
+  std::string mesh;
+  MeshReadOptions options;
+  std::optional<int> panels;  ///< absent: the file's own faces
+  PanelsBy by = PanelsBy::Auto;
+  bool floats = false;     ///< the waterline, trim and heel are to be found
+  bool axesGiven = false;  ///< up and forward are said
+};
+/// `count` overrides its `panels`, `by` its `panels_by` if it is not Auto.
+HullRequest readHullRequest(TomlFile& file, std::optional<int> count = {},
+                            PanelsBy by = PanelsBy::Auto);
+/// The hull, or what its owner may have meant otherwise in the message.
+/// @throws HydroError naming the file.
+PanelledHull readPanelled(const HullRequest& request);
 
 }  // namespace cutwater::command

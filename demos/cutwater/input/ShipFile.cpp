@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "demos/cutwater/input/Floating.h"
 #include "demos/cutwater/input/HullFile.h"
 #include "demos/cutwater/input/Toml.h"
 #include "demos/cutwater/output/Messages.h"
@@ -17,21 +18,57 @@ namespace {
 
 constexpr double kDegree = kPi / 180.0;
 
-Loading readMass(TomlSection mass, const PanelledHull& hull) {
+// What "auto" stands for [m above calm water]: 60 % of the depth, which is taken between 1.5 and 2
+// draughts as masts and houses are no part of it, and lower where GM would be below 5 % of the beam.
+double usualHeightOfG(const PanelledHull& hull, const Hydrostatics& h) {
+  const double height = bounds(hull.surface).high.z() + h.draft;
+  const double depth = std::clamp(height, 1.5 * h.draft, 2.0 * h.draft);
+  const double stable = h.buoyancy.z() + h.bmT - 0.05 * h.beam;
+  return std::min(0.6 * depth - h.draft, stable);
+}
+
+void readCog(TomlSection& mass, const PanelledHull& hull, const std::string& path,
+             Loading& loading) {
+  const std::string axes = mass.text("axes", "hull", {"hull", "file"});
+  if (!mass.has("cog")) {
+    const Vec3 buoyancy = afloat(hull).hydrostatics.buoyancy;
+    mass.refuse("cog",
+                fmt::format("is missing; the centre of buoyancy is at [{:.3f}, {:.3f}, {:.3f}] m; "
+                            "with \"auto\" G is above it",
+                            buoyancy.x(), buoyancy.y(), buoyancy.z()));
+  }
+  if (!mass.isText("cog")) {
+    if (mass.has("cog_height")) mass.refuse("cog_height", "goes with cog = \"auto\"");
+    loading.cog = mass.vector("cog", Vec3::Zero());
+    if (axes == "file") loading.cog = hull.file.toHull(loading.cog);
+    return;
+  }
+  mass.text("cog", "auto", {"auto"});
+  loading.level = true;
+  const Hydrostatics h = afloat(hull).hydrostatics;
+  const bool given = mass.has("cog_height");
+  loading.cog.z() = mass.number("cog_height", usualHeightOfG(hull, h), -1e4, 1e4);
+  say(
+      fmt::format("{}: [mass] cog is [{:.4g}, {:.4g}, {:.4g}] m, above the centre of buoyancy{}; "
+                  "GM {:.3g} m",
+                  path, h.buoyancy.x(), hull.symmetric ? 0.0 : h.buoyancy.y(), loading.cog.z(),
+                  given ? "" : ", its height a usual one (cog_height)",
+                  h.buoyancy.z() + h.bmT - loading.cog.z()));
+}
+
+Loading readMass(TomlSection mass, const PanelledHull& hull, const std::string& path,
+                 bool needsMass) {
   Loading loading;
   if (mass.isText("mass")) {
     mass.text("mass", "auto", {"auto"});
   } else if (mass.has("mass")) {
     loading.mass = mass.number("mass", 0.0, 1e-9, 1e15);
   }
-  if (!mass.has("cog")) {
-    const Vec3 buoyancy = afloat(hull).hydrostatics.buoyancy;
-    mass.refuse("cog",
-                fmt::format("is missing; the centre of buoyancy is at [{:.3f}, {:.3f}, {:.3f}] m",
-                            buoyancy.x(), buoyancy.y(), buoyancy.z()));
-  }
-  loading.cog = mass.vector("cog", Vec3::Zero());
-  if (mass.has("gyradii")) {
+  if (needsMass && !loading.mass) mass.refuse("mass", "is needed in kg with [hull] float = true");
+  readCog(mass, hull, path, loading);
+  if (mass.isText("gyradii")) {
+    mass.text("gyradii", "auto", {"auto"});
+  } else if (mass.has("gyradii")) {
     loading.gyradii = mass.vector("gyradii", Vec3::Ones());
     if (!(loading.gyradii->minCoeff() > 0.0)) mass.refuse("gyradii", "must be above 0");
   }
@@ -228,15 +265,44 @@ void readSolve(TomlSection solve, const ShipParticulars& ship, SolveSettings& se
   solve.finish();
 }
 
+// Beyond this the hull does not float anywhere near to where it is drawn, and what is solved for is
+// another ship: a fifth of the mass, three degrees.
+constexpr double kMostExcess = 0.2, kMostTilt = 3.0 * kDegree;
+
+void requireNearBalance(const std::string& path, const ShipFile& ship, double excess,
+                        const Vec3& lever) {
+  const ShipParticulars& p = ship.particulars;
+  const Hydrostatics& h = ship.hydrostatics;
+  if (std::abs(excess) > kMostExcess)
+    throw HydroError(
+        Fault::ValueOutOfRange,
+        fmt::format("{}: [mass] mass is {:.6g} kg, the hull displaces {:.6g} kg as it is drawn; {}",
+                    path, p.mass, h.displacement,
+                    std::abs(1e3 * p.mass / h.displacement - 1) < 0.5
+                        ? "it is in kilograms, not in tonnes"
+                        : "with [hull] float = true it sinks or rises, or is waterline wrong?"));
+  const double trim = h.gmL > 0 ? std::atan(lever.x() / h.gmL) : 0.0,
+               heel = h.gmT > 0 ? std::atan(lever.y() / h.gmT) : 0.0;
+  if (std::max(std::abs(trim), std::abs(heel)) > kMostTilt)
+    throw HydroError(
+        Fault::ValueOutOfRange,
+        fmt::format("{}: [mass] cog stands {:+.3f} m forward and {:+.3f} m to port of the centre "
+                    "of buoyancy: the ship would trim by {:.1f} and heel by {:.1f} deg; with "
+                    "[hull] float = true it does, with cog = \"auto\" G is above B",
+                    path, lever.x(), lever.y(), std::abs(trim) / kDegree,
+                    std::abs(heel) / kDegree));
+}
+
 void warnIfUnbalanced(const std::string& path, const ShipFile& ship) {
   const ShipParticulars& p = ship.particulars;
   const double excess = p.mass / ship.hydrostatics.displacement - 1.0;
+  const Vec3 lever = p.cog - ship.hydrostatics.buoyancy;
+  requireNearBalance(path, ship, excess, lever);
   if (std::abs(excess) > 1e-3) {
     warn(fmt::format(
         "{}: [mass] mass is {:+.2f} % of density x volume; linear theory takes the hull as it lies",
         path, 100.0 * excess));
   }
-  const Vec3 lever = p.cog - ship.hydrostatics.buoyancy;
   if (std::abs(lever.x()) > 1e-3 * ship.hydrostatics.length ||
       std::abs(lever.y()) > 1e-3 * ship.hydrostatics.beam) {
     warn(
@@ -255,19 +321,28 @@ void warnIfUnbalanced(const std::string& path, const ShipFile& ship) {
 
 ShipFile readShipFile(const std::string& path) {
   TomlFile file(path);
-  const PanelledHull hull = readHullSection(file);
+  HullRequest request = readHullRequest(file);
+  PanelledHull hull = readPanelled(request);
   TomlSection section = file.section("water");
   Water water;
   water.density = section.number("density", water.density, 1.0, 1e5);
   water.gravity = section.number("gravity", water.gravity, 1e-3, 1e3);
   section.finish();
-  Loading loading = readMass(file.section("mass"), hull);
+  Loading loading = readMass(file.section("mass"), hull, path, request.floats);
   readSupplementary(file.section("supplementary"), loading.supplementary);
 
+  if (request.floats) {
+    const FloatingHull found = floating(request.mesh, hull, request.options, loading, water);
+    request.options = found.options;
+    hull = readPanelled(request);
+    loading.cog = found.cog;
+    loading.level = false;
+  }
+
   ShipFile ship;
-  Afloat floating = afloat(hull, loading, water);
-  ship.particulars = std::move(floating.ship);
-  ship.hydrostatics = floating.hydrostatics;
+  Afloat atRest = afloat(hull, loading, water);
+  ship.particulars = std::move(atRest.ship);
+  ship.hydrostatics = atRest.hydrostatics;
   ship.particulars.drag = readResistance(file.section("resistance"), path);
   if (file.root().has("engine")) ship.particulars.engine = readEngine(file.section("engine"), path);
   if (file.root().has("rudder")) ship.particulars.rudder = readRudder(file.section("rudder"), path);
