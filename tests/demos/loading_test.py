@@ -32,7 +32,7 @@ class Loading(InFolder):
 
     def test_a_ship_that_floats_displaces_its_mass(self):
         rows, said = self.rows("float = true", "mass = 300000.0\ncog = [0.4, 0.0, -0.3]")
-        # Panels and hull are of flat faces: what is left is what Newton and the file's digits leave.
+        # Panels and hull have flat faces: what is left are the digits of the file.
         self.assertAlmostEqual(rows["volume"], 300000 / 1025, delta=1e-5 * 300)
         self.assertIn("0.439 m deeper", said)
         self.assertIn("bow down", said)

@@ -26,7 +26,7 @@ constexpr double kLacking = 4.3, kLeastLacking = 0.005;
 double volumeOf(const SurfaceMesh& wet) { return volumeIntegrals(wet).volume; }
 
 constexpr double kMostStretched = 0.15;  // of the panels; of ships 0 to 5 % are
-constexpr std::size_t kMostLines = 3;  // with what the command itself says, five
+constexpr std::size_t kMostLines = 3;    // with what the command itself says, five
 
 /// The first lines together in one, if there are too many.
 std::vector<std::string> condensed(std::vector<std::string> lines) {

@@ -34,7 +34,8 @@ struct AnyHull {
 /// one that is open above water is closed there as a bowl that is filled, with a line that says so.
 /// @param name  of the file, for messages.
 /// @throws HydroError as cleanSurface and outerSurface; with PanelsBy::Sections as repairedHull and
-///   panelled; ValueOutOfRange for a count below kFewestPanels or above kMostPanels (panelling/Panelling.h: 20 and 20 000).
+///   panelled; ValueOutOfRange for a count below kFewestPanels or above kMostPanels
+///   (panelling/Panelling.h: 20 and 20 000).
 AnyHull anyHull(const SurfaceMesh& raw, int count, const std::string& name,
                 Symmetry symmetry = Symmetry::Auto, PanelsBy by = PanelsBy::Auto);
 

@@ -23,8 +23,8 @@ constexpr std::size_t kMostNodes = 40000000;  // of the fine grid
 constexpr double kMirrorTolerance = 1e-3;     // of the size
 constexpr double kShortest = 0.3;             // of the panels' length: shorter edges are merged
 constexpr int kRounds = 8;                    // of smoothing
-constexpr double kTogether = 1e-3;    // of the panels' length: corners of two cells that met
-constexpr double kOnEdge = 0.02;  // of the panels' length: a vertex on an edge is so near
+constexpr double kTogether = 1e-3;  // of the panels' length: corners of two cells that met
+constexpr double kOnEdge = 0.02;    // of the panels' length: a vertex on an edge is so near
 // Of the panels' length; moves follow the height of the surface there and hide no lost part.
 constexpr double kMostMove = 0.08;
 constexpr int kTries = 8, kTryStep = 2;

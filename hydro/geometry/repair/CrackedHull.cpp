@@ -60,7 +60,8 @@ Hull closedHull(const SurfaceMesh& triangles, double tolerance, const std::strin
   }
 }
 
-/// Every vertex has a mirror image, and so has the volume. What closes the cracks need not have one.
+/// Every vertex has a mirror image, and so has the volume. What closes the cracks need not have
+/// one.
 bool isMirrorImage(const SurfaceMesh& wet, const Hull& hull, double tolerance) {
   if (welded(joined(wet, mirroredInY(wet)), tolerance).vertices.size() != wet.vertices.size())
     return false;
