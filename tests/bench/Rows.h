@@ -43,4 +43,7 @@ void benchSolver(std::string& csv);
 /// A ship's tick, whole and by part; how it grows with components, ships, memory; fleets.
 void benchTimeDomain(std::string& csv, const Coefficients& coefficients);
 
+/// Hulls of 9000 and 100 000 triangles, with panels by sections and by surface.
+void benchHulls(std::string& csv);
+
 }  // namespace cutwater::bench

@@ -63,6 +63,7 @@ int main(int argc, char** argv) try {
       "processor_seconds\n";
   const Coefficients coefficients = solve(frigate(224), sweep(60, 0));
   benchTimeDomain(csv, coefficients);
+  benchHulls(csv);
   benchSolver(csv);
   if (argc == 3) {
     writeWhole(argv[2], csv);

@@ -265,7 +265,7 @@ void readSolve(TomlSection solve, const ShipParticulars& ship, SolveSettings& se
   solve.finish();
 }
 
-// Beyond this the hull does not float anywhere near to where it is drawn, and what is solved for is
+// Beyond this the hull does not float near to where it is drawn, and what is solved for is
 // another ship: a fifth of the mass, three degrees.
 constexpr double kMostExcess = 0.2, kMostTilt = 3.0 * kDegree;
 
