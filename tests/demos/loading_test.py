@@ -43,6 +43,15 @@ class Loading(InFolder):
         self.assertAlmostEqual(rows["volume"], 300000 / 1025, delta=1e-5 * 300)
         self.assertIn("deg to port", said)
 
+    def test_a_ship_drawn_from_its_keel_floats(self):
+        drawn = 'float = true\nwaterline = -2.0'  # calm water at the box's bottom
+        rows, said = self.rows(drawn, "mass = 300000.0\ncog = [0.4, 0.0, 1.7]")
+        self.assertAlmostEqual(rows["volume"], 300000 / 1025, delta=1e-5 * 300)
+        self.assertIn("2.439 m deeper", said)
+        _, auto = self.rows(drawn, 'mass = 300000.0\ncog = "auto"\ngyradii = "auto"')
+        self.assertIn("0.00 deg bow down", auto)
+        self.assertIn("gyradii are [", auto)
+
     def test_auto_puts_g_above_b(self):
         _, said = self.rows("", 'cog = "auto"\ngyradii = "auto"')
         self.assertIn("a usual one", said)
@@ -63,6 +72,9 @@ class Loading(InFolder):
         self.refused('forward = "y"', 'cog = "auto"', "forward")
         self.refused('unit = "mm"', 'cog = "auto"', "unit")
         self.refused("float = true", "cog = [0.0, 0.0, 0.0]", "mass", "needed")
+        self.refused("float = true", 'cog = "auto"\nmass = 246.0', "kilograms")
+        self.refused("", 'cog = "auto"\naxes = "file"', "axes")
+        self.refused("waterline = -1.99", 'cog = "auto"', "waterline", "keel")
         self.refused("float = true\ntrim_deg = 1.0", 'cog = "auto"\nmass = 1.0', "trim_deg")
         self.refused("float = true", "mass = 900000.0\ncog = [0.0, 0.0, 0.0]", "sinks")
         self.refused("float = true", "mass = 300000.0\ncog = [0.0, 0.0, 3.0]", "falls over")

@@ -5,6 +5,7 @@
 #include "hydro/geometry/shapes/Shapes.h"
 #include "hydro/ship/Afloat.h"
 #include "hydro/ship/FloatingAttitude.h"
+#include "hydro/ship/StillWater.h"
 #include "tests/support/Refusal.h"
 
 namespace cutwater {
@@ -51,6 +52,21 @@ TEST(FloatingAttitudeClosedForm, ABoxHeelsAsAWallSidedBodyDoes) {
     const FloatingAttitude rest = floatingAttitude(box(massAt(draught), {0, -yG, zG}), true);
     EXPECT_NEAR(std::tan(rest.heel), t, 1e-8);  // starboard down is positive, y is to port
   }
+}
+
+// Trim and heel together: weight and buoyancy are equal and B lies below G.
+TEST(FloatingAttitudeIdentity, AtRestNothingTurnsTheShip) {
+  const ShipParticulars ship = box(massAt(2.2), {0.3, -0.04, -0.8});
+  const FloatingAttitude rest = floatingAttitude(ship, true);
+  EXPECT_GT(rest.trim, 0.005);
+  EXPECT_GT(rest.heel, 0.005);
+  Attitude pose{.roll = rest.heel, .pitch = rest.trim};
+  pose.height = rest.height + (pose.rotation() * ship.cog).z();
+  StillWater water(ship);
+  const Immersed wet = water.at(pose);
+  EXPECT_NEAR(wet.volume, ship.mass / ship.density, 1e-9 * wet.volume);  // round-off
+  EXPECT_NEAR(wet.centre.x(), 0.0, 1e-8);                                // findRoot's 1e-10 rad
+  EXPECT_NEAR(wet.centre.y(), 0.0, 1e-8);
 }
 
 TEST(FloatingAttitude, WhatFallsOverAndWhatSinksIsRefused) {

@@ -16,6 +16,7 @@ constexpr double kVolumeOff = 0.01;  // from here on it is said
 // Longer than any ship, and shorter than any model that is towed [m]; broader and deeper than any
 // body that is not laid wrongly, of the length and of the breadth.
 constexpr double kLongest = 1000.0, kShortest = 0.05, kBroadest = 2.5, kDeepest = 4.0;
+constexpr double kShallowest = 0.01;  // part of the height that is in the water
 
 void warnOfVolume(const std::string& mesh, const AnyHull& made) {
   const double off = made.panelVolume / made.volume - 1;
@@ -51,11 +52,13 @@ PanelledHull readAsItIs(const std::string& mesh, const MeshReadOptions& options)
 }  // namespace
 
 PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& options,
-                          std::optional<int> count, PanelsBy by) {
+                          std::optional<int> count, PanelsBy by, bool quiet) {
   if (!count) return readAsItIs(mesh, options);
   AnyHull made = readAnyHull(mesh, *count, options, by);
-  for (const std::string& line : made.done) say(mesh + ": " + line);
-  warnOfVolume(mesh, made);
+  if (!quiet) {
+    for (const std::string& line : made.done) say(mesh + ": " + line);
+    warnOfVolume(mesh, made);
+  }
   return {std::move(made.hull.surface), std::move(made.panels), made.hull.symmetric, made.hull.file,
           made.by == PanelsBy::Surface};
 }
@@ -97,6 +100,11 @@ void requireShipshape(const HullRequest& request, const PanelledHull& hull) {
         fmt::format("{}: the hull would be {:.4g} x {:.4g} x {:.4g} m in the water; {}",
                     request.mesh, size.x(), size.y(), size.z(), what));
   };
+  const Bounds whole = bounds(hull.surface);
+  if (size.z() < kShallowest * (whole.high.z() - whole.low.z()))
+    refuse(
+        "[hull] waterline is the height of calm water in the file, 0 unless given: is its origin "
+        "at the keel?");
   if (size.x() > kLongest || size.maxCoeff() < kShortest)
     refuse("is [hull] unit right? It is m, mm, cm, ft or in, and m unless given");
   if (size.y() > kBroadest * size.x())
@@ -142,7 +150,8 @@ HullRequest readHullRequest(TomlFile& file, std::optional<int> count, PanelsBy b
 
 PanelledHull readPanelled(const HullRequest& request) {
   try {
-    PanelledHull hull = readPanelled(request.mesh, request.options, request.panels, request.by);
+    PanelledHull hull =
+        readPanelled(request.mesh, request.options, request.panels, request.by, request.quiet);
     requireShipshape(request, hull);
     return hull;
   } catch (const HydroError& error) {

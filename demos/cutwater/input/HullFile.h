@@ -19,7 +19,8 @@ inline const std::vector<std::string> kPanelsByNames{"auto", "sections", "surfac
 /// what was repaired is said on stderr; without, its faces below water are the panels.
 /// @throws HydroError naming the file.
 PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& options,
-                          std::optional<int> count, PanelsBy by = PanelsBy::Auto);
+                          std::optional<int> count, PanelsBy by = PanelsBy::Auto,
+                          bool quiet = false);
 
 /// One of kPanelsByNames.
 PanelsBy panelsBy(const std::string& name);
@@ -32,6 +33,7 @@ struct HullRequest {
   PanelsBy by = PanelsBy::Auto;
   bool floats = false;     ///< the waterline, trim and heel are to be found
   bool axesGiven = false;  ///< up and forward are said
+  bool quiet = false;      ///< what is done to the mesh is not said
 };
 /// `count` overrides its `panels`, `by` its `panels_by` if it is not Auto.
 HullRequest readHullRequest(TomlFile& file, std::optional<int> count = {},

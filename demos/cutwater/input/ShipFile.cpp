@@ -27,7 +27,8 @@ double usualHeightOfG(const PanelledHull& hull, const Hydrostatics& h) {
   return std::min(0.6 * depth - h.draft, stable);
 }
 
-void readCog(TomlSection& mass, const PanelledHull& hull, const std::string& path,
+/// @param lower  [m] how far the origin of `hull` lies above that of the hull as drawn.
+void readCog(TomlSection& mass, const PanelledHull& hull, const std::string& path, double lower,
              Loading& loading) {
   const std::string axes = mass.text("axes", "hull", {"hull", "file"});
   if (!mass.has("cog")) {
@@ -39,15 +40,20 @@ void readCog(TomlSection& mass, const PanelledHull& hull, const std::string& pat
   }
   if (!mass.isText("cog")) {
     if (mass.has("cog_height")) mass.refuse("cog_height", "goes with cog = \"auto\"");
-    loading.cog = mass.vector("cog", Vec3::Zero());
-    if (axes == "file") loading.cog = hull.file.toHull(loading.cog);
+    const Vec3 given = mass.vector("cog", Vec3::Zero());
+    loading.cog = axes == "file" ? hull.file.toHull(given) : Vec3(given - lower * Vec3::UnitZ());
     return;
   }
+  if (axes == "file") mass.refuse("axes", "goes with a cog of three numbers");
   mass.text("cog", "auto", {"auto"});
   loading.level = true;
   const Hydrostatics h = afloat(hull).hydrostatics;
   const bool given = mass.has("cog_height");
   loading.cog.z() = mass.number("cog_height", usualHeightOfG(hull, h), -1e4, 1e4);
+  if (!given && loading.cog.z() < h.buoyancy.z())
+    warn(path +
+         ": [mass] cog: a usual height of G is not stable, so G is put below B; is the hull "
+         "upright ([hull] up)?");
   say(
       fmt::format("{}: [mass] cog is [{:.4g}, {:.4g}, {:.4g}] m, above the centre of buoyancy{}; "
                   "GM {:.3g} m",
@@ -57,17 +63,19 @@ void readCog(TomlSection& mass, const PanelledHull& hull, const std::string& pat
 }
 
 Loading readMass(TomlSection mass, const PanelledHull& hull, const std::string& path,
-                 bool needsMass) {
+                 double lower) {
   Loading loading;
   if (mass.isText("mass")) {
     mass.text("mass", "auto", {"auto"});
   } else if (mass.has("mass")) {
     loading.mass = mass.number("mass", 0.0, 1e-9, 1e15);
   }
-  if (needsMass && !loading.mass) mass.refuse("mass", "is needed in kg with [hull] float = true");
-  readCog(mass, hull, path, loading);
+  readCog(mass, hull, path, lower, loading);
   if (mass.isText("gyradii")) {
     mass.text("gyradii", "auto", {"auto"});
+    const Vec3 r = afloat(hull).ship.gyradii;
+    say(fmt::format("{}: [mass] gyradii are [{:.4g}, {:.4g}, {:.4g}] m: 0.35 B, 0.25 L, 0.25 L",
+                    path, r.x(), r.y(), r.z()));
   } else if (mass.has("gyradii")) {
     loading.gyradii = mass.vector("gyradii", Vec3::Ones());
     if (!(loading.gyradii->minCoeff() > 0.0)) mass.refuse("gyradii", "must be above 0");
@@ -317,23 +325,45 @@ void warnIfUnbalanced(const std::string& path, const ShipFile& ship) {
   }
 }
 
+/// Reads the hull of a file that is to float, upright, where it displaces the mass given.
+/// @return how much higher its origin lies than that of the hull as drawn [m].
+double readUpright(TomlFile& file, HullRequest& request, PanelledHull& hull, const Water& water) {
+  TomlSection mass = file.section("mass");
+  if (!mass.isNumber("mass")) mass.refuse("mass", "is needed in kg with [hull] float = true");
+  const double drawn = request.options.waterline;
+  request.quiet = true;
+  request.options = inWater(request.mesh, request.options);
+  hull = readPanelled(request);
+  request.options =
+      sunk(request.mesh, hull, request.options, mass.number("mass", 0.0, 1e-9, 1e15), water);
+  hull = readPanelled(request);
+  return (request.options.waterline - drawn) * hull.file.metresPerUnit;
+}
+
 }  // namespace
 
 ShipFile readShipFile(const std::string& path) {
   TomlFile file(path);
   HullRequest request = readHullRequest(file);
-  PanelledHull hull = readPanelled(request);
   TomlSection section = file.section("water");
   Water water;
   water.density = section.number("density", water.density, 1.0, 1e5);
   water.gravity = section.number("gravity", water.gravity, 1e-3, 1e3);
   section.finish();
-  Loading loading = readMass(file.section("mass"), hull, path, request.floats);
-  readSupplementary(file.section("supplementary"), loading.supplementary);
-
+  const double drawn = request.options.waterline;
+  PanelledHull hull;
+  double lower = 0.0;
   if (request.floats) {
-    const FloatingHull found = floating(request.mesh, hull, request.options, loading, water);
+    lower = readUpright(file, request, hull, water);
+  } else {
+    hull = readPanelled(request);
+  }
+  Loading loading = readMass(file.section("mass"), hull, path, lower);
+  readSupplementary(file.section("supplementary"), loading.supplementary);
+  if (request.floats) {
+    const FloatingHull found = floating(request.mesh, hull, request.options, loading, water, drawn);
     request.options = found.options;
+    request.quiet = false;
     hull = readPanelled(request);
     loading.cog = found.cog;
     loading.level = false;
