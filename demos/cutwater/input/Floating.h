@@ -4,8 +4,8 @@
 
 namespace cutwater::command {
 
-/// Options with which the mesh stands in the water, if it does not with these: a third of its height
-/// deep.
+/// Options with which the mesh stands in the water; if it does not with these, three tenths of its
+/// height deep.
 MeshReadOptions inWater(const std::string& mesh, MeshReadOptions options);
 
 /// Options with which a hull displaces `mass` [kg], upright.

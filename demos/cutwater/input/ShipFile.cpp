@@ -19,7 +19,8 @@ namespace {
 constexpr double kDegree = kPi / 180.0;
 
 // What "auto" stands for [m above calm water]: 60 % of the depth, which is taken between 1.5 and 2
-// draughts as masts and houses are no part of it, and lower where GM would be below 5 % of the beam.
+// draughts as masts and houses are no part of it, and lower where GM would be below 5 % of the
+// beam.
 double usualHeightOfG(const PanelledHull& hull, const Hydrostatics& h) {
   const double height = bounds(hull.surface).high.z() + h.draft;
   const double depth = std::clamp(height, 1.5 * h.draft, 2.0 * h.draft);
