@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kAlongEdge = 0.8;  // cosine of the angle up to which two edges are one
 constexpr int kReturns = 3;         // to the surface and to the plane that holds a vertex, in turn
-constexpr double kStep = 0.5;       // of the way to the middle, a round
+constexpr double kEdge = 0.8;  // cosine of the angle between the faces of an edge: 37° or more
+constexpr double kStep = 0.5;  // of the way to the middle, a round
 constexpr double kOfThickness = 0.2;
 constexpr double kFlat = 1e-3;      // of the way a vertex may go: lower heights are none
 constexpr double kMostShare = 1.5;  // of the height of the surface over the panels
@@ -169,10 +170,30 @@ void mergeShortEdges(DualSurface& surface, double shortest) {
   Merging(surface).shorterThan(shortest);
 }
 
-void releaseRoundEdges(DualSurface& surface, const SurfaceTree& onto, double tolerance) {
+namespace {
+
+/// Whether faces within reach of a place turn by more than kEdge.
+bool hasEdge(const SurfaceMesh& fine, const SurfaceTree& onto, const Vec3& place, double reach) {
+  const Vec3 around = Vec3::Constant(reach);
+  std::vector<Vec3> normals;
+  for (const int f : onto.near(place - around, place + around)) {
+    const Vec3 n = vectorArea(fine, fine.faces[at(f)]).normalized();
+    for (const Vec3& other : normals)
+      if (n.dot(other) < kEdge) return true;
+    normals.push_back(n);
+  }
+  return false;
+}
+
+}  // namespace
+
+void releaseRoundEdges(DualSurface& surface, const SurfaceMesh& fine, const SurfaceTree& onto,
+                       double tolerance, double reach) {
   for (std::size_t i = 0; i < surface.hold.size(); ++i) {
     VertexHold& hold = surface.hold[i];
-    if (hold.planes > 1 && onto.distance(surface.mesh.vertices[i]) > tolerance) hold.planes = 1;
+    if (hold.planes <= 1) continue;
+    const Vec3 &p = surface.mesh.vertices[i], place = onto.nearest(p);
+    if ((place - p).norm() > tolerance && !hasEdge(fine, onto, place, reach)) hold.planes = 1;
   }
 }
 

@@ -4,7 +4,7 @@
 
 /// From a dual surface to panels:
 ///     mergeShortEdges(surface, 0.25 * length);
-///     releaseRoundEdges(surface, tree, 0.02 * length);
+///     releaseRoundEdges(surface, fine, tree, 0.02 * length, 0.15 * length);
 ///     smooth(surface, tree, 8);
 ///     fillOut(surface, tree, volume, 0.03 * length);
 namespace cutwater {
@@ -15,9 +15,10 @@ namespace cutwater {
 void mergeShortEdges(DualSurface& surface, double shortest);
 
 /// Where a surface is rounder than its cells are small, the planes met in a cell look like those of
-/// an edge. The vertex between them then stands off the surface, on a true edge it does not: one
-/// that is farther off than the tolerance [m] becomes one of a smooth place.
-void releaseRoundEdges(DualSurface& surface, const SurfaceTree& onto, double tolerance);
+/// an edge. A vertex that stands off the surface by more than the tolerance [m], with no edge of the
+/// fine surface within reach [m], becomes one of a smooth place.
+void releaseRoundEdges(DualSurface& surface, const SurfaceMesh& fine, const SurfaceTree& onto,
+                       double tolerance, double reach);
 
 /// Moves vertices of smooth places towards the middle of the faces around them and back to the
 /// nearest place of the surface, some rounds. Those on sharp edges and corners stay.

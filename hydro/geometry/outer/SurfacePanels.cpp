@@ -24,6 +24,7 @@ constexpr double kMirrorTolerance = 1e-3;     // of the size
 constexpr double kShortest = 0.3;             // of the panels' length: shorter edges are merged
 constexpr int kRounds = 8;                    // of smoothing
 constexpr double kTogether = 1e-3;  // of the panels' length: corners of two cells that met
+constexpr double kReach = 0.15;     // of it, around a vertex: an edge is looked for there
 constexpr double kOnEdge = 0.02;    // of the panels' length: a vertex on an edge is so near
 // Of the panels' length; moves follow the height of the surface there and hide no lost part.
 constexpr double kMostMove = 0.08;
@@ -132,7 +133,7 @@ class SurfacePanels {
     setHull(out, hull, wet);
     DualSurface panels = panelsOf(water, step, fine.top, length);
     const SurfaceTree surface(wet);
-    releaseRoundEdges(panels, surface, kOnEdge * length);
+    releaseRoundEdges(panels, wet, surface, kOnEdge * length, kReach * length);
     smooth(panels, surface, kRounds);
     panels.mesh.faces = tidied(panels.mesh);
     fillOut(panels, surface, out.volume / sides, kMostMove * length);
