@@ -17,6 +17,7 @@ namespace cutwater::command {
 namespace {
 
 constexpr double kDegree = kPi / 180.0;
+constexpr double kHighest = 1e4;  // that G may be above or below calm water [m]
 
 // What "auto" stands for [m above calm water]: 60 % of the depth, which is taken between 1.5 and 2
 // draughts as masts and houses are no part of it, and lower where GM would be below 5 % of the
@@ -40,7 +41,10 @@ void readCog(TomlSection& mass, const PanelledHull& hull, const std::string& pat
                             buoyancy.x(), buoyancy.y(), buoyancy.z()));
   }
   if (!mass.isText("cog")) {
-    if (mass.has("cog_height")) mass.refuse("cog_height", "goes with cog = \"auto\"");
+    if (mass.has("cog_height")) {
+      mass.number("cog_height", 0.0, -kHighest, kHighest);
+      mass.refuse("cog_height", "goes with cog = \"auto\"");
+    }
     const Vec3 given = mass.vector("cog", Vec3::Zero());
     loading.cog = axes == "file" ? hull.file.toHull(given) : Vec3(given - lower * Vec3::UnitZ());
     return;
@@ -50,7 +54,7 @@ void readCog(TomlSection& mass, const PanelledHull& hull, const std::string& pat
   loading.level = true;
   const Hydrostatics h = afloat(hull).hydrostatics;
   const bool given = mass.has("cog_height");
-  loading.cog.z() = mass.number("cog_height", usualHeightOfG(hull, h), -1e4, 1e4);
+  loading.cog.z() = mass.number("cog_height", usualHeightOfG(hull, h), -kHighest, kHighest);
   if (!given && loading.cog.z() < h.buoyancy.z())
     warn(path +
          ": [mass] cog: a usual height of G is not stable, so G is put below B; is the hull "
