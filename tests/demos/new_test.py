@@ -173,7 +173,7 @@ class New(InFolder):
         self.assertEqual(ship["mass"]["cog"][2], 0.25)
         ship, lines, _ = self.made(mesh, "--cog-height", "9", "--force")
         self.assertTrue(any("not stable" in line for line in lines))
-        plain = self.path("box.dat", obj(*box(30.0, 8.0, -1.5, 2.5)))
+        plain = self.path("box.3ds", obj(*box(30.0, 8.0, -1.5, 2.5)))
         self.refused(1, "any_format", mesh=plain)
 
     def test_a_spar_has_no_bow_and_solves(self):

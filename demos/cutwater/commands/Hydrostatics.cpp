@@ -5,7 +5,7 @@
 namespace cutwater::command {
 
 void hydrostatics(const std::string& path, const std::string& out) {
-  const ShipFile ship = readShipFile(path);
+  const ShipFile ship = readShipFile(path, Balance::Needed);
   Listing rows;
   listHydrostatics(rows, ship.particulars, ship.hydrostatics);
   rows.write(out);

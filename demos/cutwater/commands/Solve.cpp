@@ -100,7 +100,7 @@ Coefficients solved(const ShipFile& ship, const std::string& journal) {
 // A sweep can take minutes: better to know first that its result can be kept.
 void solve(const std::string& path, const std::string& database, int threads) {
   requireRegular(database);  // its journal lies beside it
-  ShipFile ship = readShipFile(path);
+  ShipFile ship = readShipFile(path, Balance::Needed);
   ship.solve.threads = threads;
   warnOfMask(path, ship);
   const ShipParticulars& p = ship.particulars;

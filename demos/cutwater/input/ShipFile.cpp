@@ -306,11 +306,11 @@ void requireNearBalance(const std::string& path, const ShipFile& ship, double ex
                     std::abs(heel) / kDegree));
 }
 
-void warnIfUnbalanced(const std::string& path, const ShipFile& ship) {
+void warnIfUnbalanced(const std::string& path, const ShipFile& ship, Balance balance) {
   const ShipParticulars& p = ship.particulars;
   const double excess = p.mass / ship.hydrostatics.displacement - 1.0;
   const Vec3 lever = p.cog - ship.hydrostatics.buoyancy;
-  requireNearBalance(path, ship, excess, lever);
+  if (balance == Balance::Needed) requireNearBalance(path, ship, excess, lever);
   if (std::abs(excess) > 1e-3) {
     warn(fmt::format(
         "{}: [mass] mass is {:+.2f} % of density x volume; linear theory takes the hull as it lies",
@@ -347,7 +347,7 @@ double readUpright(TomlFile& file, HullRequest& request, PanelledHull& hull, con
 
 }  // namespace
 
-ShipFile readShipFile(const std::string& path) {
+ShipFile readShipFile(const std::string& path, Balance balance) {
   TomlFile file(path);
   HullRequest request = readHullRequest(file);
   TomlSection section = file.section("water");
@@ -385,7 +385,7 @@ ShipFile readShipFile(const std::string& path) {
   if (hull.filledOut) ship.solve.panelShape = PanelShape::Flat;
   readSolve(file.section("solve"), ship.particulars, ship.solve);
   file.root().finish();
-  warnIfUnbalanced(path, ship);
+  warnIfUnbalanced(path, ship, balance);
   return ship;
 }
 

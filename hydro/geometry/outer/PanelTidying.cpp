@@ -7,7 +7,7 @@
 namespace cutwater {
 namespace {
 
-constexpr double kSliver = 0.08;  // height of a triangle over its longest edge
+constexpr double kSliver = 0.12;  // height of a triangle over its longest edge
 // A quadrilateral with a straight corner is as good as a triangle: only what folds is divided.
 constexpr double kFolded = -1e-3;
 constexpr int kRounds = 6;

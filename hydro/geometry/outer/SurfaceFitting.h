@@ -15,8 +15,8 @@ namespace cutwater {
 void mergeShortEdges(DualSurface& surface, double shortest);
 
 /// Where a surface is rounder than its cells are small, the planes met in a cell look like those of
-/// an edge. A vertex that stands off the surface by more than the tolerance [m], with no edge of the
-/// fine surface within reach [m], becomes one of a smooth place.
+/// an edge. A vertex that stands off the surface by more than the tolerance [m], with no edge of
+/// the fine surface within reach [m], becomes one of a smooth place.
 void releaseRoundEdges(DualSurface& surface, const SurfaceMesh& fine, const SurfaceTree& onto,
                        double tolerance, double reach);
 
