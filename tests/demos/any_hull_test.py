@@ -31,7 +31,7 @@ def slenderest(shape, panels):
     area is. Along a part thinner than a panel, panels are as wide as the part and twice as long as
     the rest."""
     length = (panels.areas().sum() / len(panels.faces)) ** 0.5
-    return 20.0 + (2.0 * length / shape.thinnest if shape.thinnest else 0.0)
+    return 20.0 + (4.0 * length / shape.thinnest if shape.thinnest else 0.0)
 
 
 def wrong_volume(shape, panels, count, done):
