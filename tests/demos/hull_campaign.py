@@ -98,7 +98,7 @@ def report(results):
 def main():
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     options.add_argument("command")
-    options.add_argument("--count", type=int, default=640 if FULL else 24)
+    options.add_argument("--count", type=int, default=640 if FULL else 12)
     options.add_argument("--only", type=int)
     options.add_argument("--jobs", type=int, choices=(1, 2), default=2)
     options.add_argument("--keep")

@@ -14,7 +14,7 @@ DISPLACEMENT = 1025 * 240.0  # [kg] of 20 x 6 x 2 m
 class Loading(InFolder):
     def ship(self, hull, mass):
         self.path("box.obj", BOX)
-        return self.path("ship.toml", f'[hull]\nmesh = "box.obj"\npanels = 100\n{hull}\n'
+        return self.path("ship.toml", f'[hull]\nmesh = "box.obj"\npanels = 30\n{hull}\n'
                                       f"[mass]\n{mass}\n")
 
     def rows(self, hull, mass):
