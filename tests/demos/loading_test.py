@@ -64,6 +64,14 @@ class Loading(InFolder):
         inFile, _ = self.rows("waterline = 0.5", 'cog = [0.0, 0.0, 0.2]\naxes = "file"')
         self.assertEqual(drawn["gm_t"], inFile["gm_t"])
 
+    def test_places_are_named_in_the_axes_of_the_file_too(self):
+        plate = "v -5 5 -1\nv 5 5 -1\nv 5 6 -1\nv -5 6 -1\nf 9 10 11 12\n"
+        mesh = self.path("plate.obj", BOX + plate)
+        done = call("panel", mesh, "-n", "30", "--waterline", "0.5", "-o", self.path("p.obj"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        places = r"\([-.0-9]+, [-.0-9]+, -1.5\), in the file \([-.0-9]+, [-.0-9]+, -1\)"
+        self.assertRegex(done.stderr, places)
+
     def test_mistakes_are_refused_with_what_to_do(self):
         self.refused("", f"mass = {DISPLACEMENT / 1000}\ncog = [0.0, 0.0, 0.0]", "kilograms")
         self.refused("", "mass = 400000.0\ncog = [0.0, 0.0, 0.0]", "displaces", "float = true")

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 #include "demos/cutwater/output/Messages.h"
 #include "hydro/Errors.h"
@@ -53,6 +54,24 @@ PanelledHull readAsItIs(const std::string& mesh, const MeshReadOptions& options)
   }
 }
 
+// Places in hull axes, as messages name them, each with the same in the file's axes where these are
+// others.
+std::string withFilePlaces(const std::string& line, const MeshReadOptions& options) {
+  const FilePlacement file = filePlacement(options);
+  if (file.rotation.isIdentity() && file.metresPerUnit == 1.0 && file.origin.isZero()) return line;
+  static const std::regex place(R"(\((-?[0-9.e+-]+), (-?[0-9.e+-]+), (-?[0-9.e+-]+)\))");
+  std::string out;
+  auto from = line.begin();
+  for (std::sregex_iterator m(line.begin(), line.end(), place), end; m != end; ++m) {
+    const Vec3 hull(std::stod((*m)[1]), std::stod((*m)[2]), std::stod((*m)[3]));
+    const Vec3 p = file.rotation.transpose() * (hull - file.origin) / file.metresPerUnit;
+    out.append(from, (*m)[0].second);
+    out += fmt::format(", in the file ({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
+    from = (*m)[0].second;
+  }
+  return out.append(from, line.end());
+}
+
 }  // namespace
 
 PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& options,
@@ -60,7 +79,7 @@ PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& option
   if (!count) return readAsItIs(mesh, options);
   AnyHull made = readAnyHull(mesh, *count, options, by);
   if (!quiet) {
-    for (const std::string& line : made.done) say(mesh + ": " + line);
+    for (const std::string& line : made.done) say(mesh + ": " + withFilePlaces(line, options));
     warnOfVolume(mesh, made, *count);
   }
   return {std::move(made.hull.surface), std::move(made.panels), made.hull.symmetric, made.hull.file,
@@ -159,7 +178,8 @@ PanelledHull readPanelled(const HullRequest& request) {
     requireShipshape(request, hull);
     return hull;
   } catch (const HydroError& error) {
-    throw HydroError(error.fault(), error.what() + adviceFor(request, error.fault()));
+    throw HydroError(error.fault(), withFilePlaces(error.what(), request.options) +
+                                        adviceFor(request, error.fault()));
   }
 }
 
