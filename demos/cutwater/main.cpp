@@ -101,10 +101,12 @@ void addPanel(CLI::App& app, Arguments& a) {
       ->check(CLI::IsMember(command::kSymmetryNames));
   sub->add_flag("--any-format", a.mesh.anyFormat, "any other format that Assimp reads");
   sub->add_option("--by", a.panelsBy, "auto (default), sections (ships) or surface (anything)")
-      ->check(CLI::IsMember(command::kPanelsByNames));
+      ->check(
+          CLI::IsMember(std::vector<std::string>(kPanelsByNames.begin(), kPanelsByNames.end())));
   sub->callback([&a] {
     checkFiles(a);
-    command::panel(a.input, a.panels, a.mesh, command::panelsBy(a.panelsBy), a.out);
+    command::panel(a.input, a.panels, a.mesh, *fromName<PanelsBy>(kPanelsByNames, a.panelsBy),
+                   a.out);
   });
 }
 

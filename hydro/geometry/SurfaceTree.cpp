@@ -7,7 +7,9 @@
 namespace cutwater {
 namespace {
 
-constexpr int kLeaf = 4;  // triangles
+constexpr int kLeaf = 4;               // triangles
+constexpr double kMayBeOff = 0.01;     // share of the places
+constexpr std::size_t kPlaces = 4000;  // looked at
 
 /// [Möller & Trumbore 1997]
 bool crosses(const Vec3& origin, const Vec3& direction, const Vec3& a, const Vec3& b, const Vec3& c,
@@ -154,6 +156,16 @@ std::vector<int> SurfaceTree::near(const Vec3& low, const Vec3& high) const {
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
+}
+
+bool holdsMirrorImages(const SurfaceTree& tree, const std::vector<Vec3>& places, double tolerance) {
+  const std::size_t step = std::max<std::size_t>(1, places.size() / kPlaces);
+  std::size_t seen = 0, off = 0;
+  for (std::size_t i = 0; i < places.size(); i += step) {
+    ++seen;
+    if (tree.distance({places[i].x(), -places[i].y(), places[i].z()}) > tolerance) ++off;
+  }
+  return static_cast<double>(off) <= kMayBeOff * static_cast<double>(seen);
 }
 
 }  // namespace cutwater

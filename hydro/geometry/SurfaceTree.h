@@ -35,4 +35,9 @@ class SurfaceTree {
   std::vector<Node> nodes_;
 };
 
+/// Whether the mirror images in y = 0 of all but a hundredth of the places lie on the surface. Of
+/// many places some 4000 are looked at.
+/// @param tolerance  [m].
+bool holdsMirrorImages(const SurfaceTree& tree, const std::vector<Vec3>& places, double tolerance);
+
 }  // namespace cutwater

@@ -6,26 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hydro/bem/BuildCoefficients.h"
-#include "hydro/geometry/MeshIntegrals.h"
 #include "hydro/geometry/shapes/Shapes.h"
 #include "tests/support/Hulls.h"
 #include "tests/support/Results.h"
+#include "tests/verification/WetBody.h"
 
 // Panels laid by Panelling.h and the structured panels of the same hull give the same forces.
 namespace cutwater::test {
 namespace {
-
-SolverOutput solved(const SurfaceMesh& wetPort, const std::vector<double>& omega) {
-  ShipParticulars ship;
-  ship.wetSurface = wetPort;
-  ship.symmetric = true;
-  ship.volume = 2 * volumeIntegrals(wetPort).volume;
-  ship.mass = ship.density * ship.volume;
-  SolveSettings settings;
-  settings.omega = omega;
-  return buildCoefficients(ship, settings);
-}
 
 /// Greatest difference over the frequencies, of the structured panels' greatest value; the
 /// frequencies in [from, to] are left out.

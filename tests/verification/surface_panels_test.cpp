@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hydro/bem/BuildCoefficients.h"
 #include "hydro/geometry/MeshCut.h"
-#include "hydro/geometry/MeshIntegrals.h"
 #include "hydro/geometry/anyhull/AnyHull.h"
 #include "tests/support/Hulls.h"
 #include "tests/support/Results.h"
+#include "tests/verification/WetBody.h"
 
 // Panels laid over the surface of columns give the forces of rows and rings on the same polygons.
 namespace cutwater::test {
@@ -51,16 +50,9 @@ SurfaceMesh portHalfOf(const SurfaceMesh& closed) {
   return cutAbove(cutBelow(closed), {Vec3::UnitY(), 0.0});
 }
 
-SolverOutput solved(const SurfaceMesh& wetPort, const std::vector<double>& omega) {
-  ShipParticulars ship;
-  ship.wetSurface = wetPort;
-  ship.symmetric = true;
-  ship.volume = 2 * volumeIntegrals(wetPort).volume;
-  ship.mass = ship.density * ship.volume;
-  SolveSettings settings;
-  settings.omega = omega;
-  settings.panelShape = PanelShape::Flat;  // the polygons are the body, not the circle around them
-  return buildCoefficients(ship, settings);
+/// The polygons are the body, not the circle around them.
+SolverOutput flat(const SurfaceMesh& wetPort, const std::vector<double>& omega) {
+  return solved(wetPort, omega, PanelShape::Flat);
 }
 
 double difference(const SolverOutput& a, const SolverOutput& b, char what, int mode) {
@@ -85,7 +77,7 @@ struct Compared {
 void compare(const Compared& c, const std::vector<double>& omega) {
   const AnyHull laid = anyHull(c.body, c.count, c.name, Symmetry::Auto, PanelsBy::Surface);
   ASSERT_TRUE(laid.hull.symmetric);
-  const SolverOutput a = solved(laid.panels, omega), b = solved(portHalfOf(c.structured), omega);
+  const SolverOutput a = flat(laid.panels, omega), b = flat(portHalfOf(c.structured), omega);
   for (const char what : {'A', 'B'})
     for (const int mode : {2, 1}) {
       const std::string name = fmt::format("{}, {} panels a side over the surface: {}{}{}", c.name,
@@ -114,8 +106,8 @@ TEST(SurfacePanelsVerification, ATruncatedCylinderHasThoseForcesEitherWay) {
   const SurfaceMesh body = column(48, 10.0, 10.0, 1, 1), rows = column(48, 10.0, 10.0, 8, 10);
   compare({"truncated cylinder", body, rows, 433, 0.02}, frequencies());
   const AnyHull sections = anyHull(body, 433, "cylinder");
-  const SolverOutput a = solved(sections.panels, frequencies()),
-                     b = solved(portHalfOf(rows), frequencies());
+  const SolverOutput a = flat(sections.panels, frequencies()),
+                     b = flat(portHalfOf(rows), frequencies());
   if (sections.by != PanelsBy::Sections) return;  // by itself it took the surface
   for (const char what : {'A', 'B'})
     for (const int mode : {2, 1}) EXPECT_LE(difference(a, b, what, mode), 0.02) << what << mode;

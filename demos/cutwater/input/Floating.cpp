@@ -58,9 +58,7 @@ FloatingHull floating(const std::string& mesh, const PanelledHull& upright,
   made.options.trimDeg = rest.trim / kDegree;
   made.options.heelDeg = rest.heel / kDegree;
   // The hull turns about the point of its z axis that comes to lie on calm water.
-  const Mat3 turn =
-      (Eigen::AngleAxisd(rest.trim, Vec3::UnitY()) * Eigen::AngleAxisd(rest.heel, Vec3::UnitX()))
-          .toRotationMatrix();
+  const Mat3 turn = Attitude{.roll = rest.heel, .pitch = rest.trim}.rotation();
   const double below = rest.height / turn(2, 2);  // that point, below the upright origin [m]
   const double unit = upright.file.metresPerUnit;
   made.options.waterline = options.waterline - below / unit;

@@ -86,12 +86,6 @@ PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& option
           made.by == PanelsBy::Surface};
 }
 
-PanelsBy panelsBy(const std::string& name) {
-  return name == "sections"  ? PanelsBy::Sections
-         : name == "surface" ? PanelsBy::Surface
-                             : PanelsBy::Auto;
-}
-
 namespace {
 
 // What the file's owner may have meant otherwise.
@@ -165,7 +159,7 @@ HullRequest readHullRequest(TomlFile& file, std::optional<int> count, PanelsBy b
   } else {
     hull.text("panels", "as-is", {"as-is"});
   }
-  const PanelsBy own = panelsBy(hull.text("panels_by", "auto", kPanelsByNames));
+  const PanelsBy own = hull.choice("panels_by", kPanelsByNames, PanelsBy::Auto);
   request.by = by == PanelsBy::Auto ? own : by;
   hull.finish();
   return request;

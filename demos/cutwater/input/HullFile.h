@@ -13,7 +13,6 @@ namespace cutwater::command {
 inline const std::vector<std::string> kAxisNames{"x", "-x", "y", "-y", "z", "-z"};
 inline const std::vector<std::string> kUnitNames{"m", "mm", "cm", "ft", "in"};
 inline const std::vector<std::string> kSymmetryNames{"auto", "none", "half"};
-inline const std::vector<std::string> kPanelsByNames{"auto", "sections", "surface"};
 
 /// Reads a mesh. With a count it is repaired and divided anew into about as many panels a side, and
 /// what was repaired is said on stderr; without, its faces below water are the panels.
@@ -21,9 +20,6 @@ inline const std::vector<std::string> kPanelsByNames{"auto", "sections", "surfac
 PanelledHull readPanelled(const std::string& mesh, const MeshReadOptions& options,
                           std::optional<int> count, PanelsBy by = PanelsBy::Auto,
                           bool quiet = false);
-
-/// One of kPanelsByNames.
-PanelsBy panelsBy(const std::string& name);
 
 /// What the [hull] section of a SHIP.toml asks for.
 struct HullRequest {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hydro/Errors.h"
+#include "hydro/base/FindRoot.h"
 #include "hydro/geometry/MeshIntegrals.h"
 
 namespace cutwater::command {
@@ -16,22 +17,19 @@ constexpr int kPanels = 433;
 
 // The volume below the height [m], as hydrostatics takes it: of a symmetric hull twice the port
 // half.
-double volumeBelow(const HullVolume& hull, double height) {
-  Hull lowered{hull.surface, hull.symmetric};
-  for (Vec3& p : lowered.surface.vertices) p.z() -= height;
-  return volumeIntegrals(displacingSurface(lowered)).volume;
+double volumeBelow(Hull hull, double height) {
+  for (Vec3& p : hull.surface.vertices) p.z() -= height;
+  return volumeIntegrals(displacingSurface(hull)).volume;
 }
 
 }  // namespace
 
-HullVolume readHullVolume(const std::string& mesh, const MeshReadOptions& options) {
-  Hull hull;
+Hull readTrustedHull(const std::string& mesh, const MeshReadOptions& options) {
   try {
-    hull = readRepaired(mesh, options).hull;
+    return readRepaired(mesh, options).hull;
   } catch (const HydroError&) {
-    hull = readAnyHull(mesh, kPanels, options, PanelsBy::Surface).hull;
+    return readAnyHull(mesh, kPanels, options, PanelsBy::Surface).hull;
   }
-  return {std::move(hull.surface), hull.symmetric, hull.file};
 }
 
 double waterlineFor(const std::string& mesh, MeshReadOptions options, double volume, double start,
@@ -41,22 +39,19 @@ double waterlineFor(const std::string& mesh, MeshReadOptions options, double vol
   // Only below calm water is a hull repaired: what is found above it is repaired and looked at
   // again. Each turn halves an interval of height, so a handful of turns is enough.
   for (int turn = 0; turn < 12; ++turn) {
-    const HullVolume hull = readHullVolume(mesh, options);
+    const Hull hull = readTrustedHull(mesh, options);
     const Bounds box = bounds(hull.surface);
-    double low = box.low.z(), high = (highest - options.waterline) * unit;
+    const double low = box.low.z(), high = (highest - options.waterline) * unit;
     const double most = volumeBelow(hull, high);
     if (most < volume)
       throw HydroError(Fault::ValueOutOfRange,
                        fmt::format("{}: displaces {:.4g} m3 at most before water comes in, "
                                    "{:.4g} m3 are needed; is its unit right (--unit)?",
                                    mesh, most, volume));
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (low + high);
-      (volumeBelow(hull, middle) < volume ? low : high) = middle;
-      if (high - low < 1e-9 * box.diagonal()) break;
-    }
-    options.waterline += high / unit;
-    if (std::abs(high) < 1e-6 * box.diagonal()) return options.waterline;
+    const double at = findRoot([&](double z) { return volumeBelow(hull, z) - volume; },
+                               {low, -volume}, {high, most - volume}, 1e-9 * box.diagonal());
+    options.waterline += at / unit;
+    if (std::abs(at) < 1e-6 * box.diagonal()) return options.waterline;
   }
   return options.waterline;
 }

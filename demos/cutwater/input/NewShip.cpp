@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "demos/cutwater/input/HeightOfG.h"
 #include "demos/cutwater/input/HullFile.h"
 #include "demos/cutwater/input/HullVolume.h"
 #include "demos/cutwater/output/Messages.h"
@@ -17,8 +18,6 @@ namespace {
 
 constexpr double kBoat = 25.0;  // [m]: below it panels as games have them
 constexpr int kBoatPanels = 250, kShipPanels = 433;
-constexpr double kHeightOfG = 0.6;                      // of the depth, above the lowest point
-constexpr double kLeastGm = 0.05;                       // of the beam
 constexpr double kLeastDepth = 1.1, kUsualDepth = 1.8;  // in draughts
 constexpr double kRod = 0.29;  // gyradius of a rod, 1/sqrt(12) of its length
 
@@ -133,15 +132,13 @@ void layPanels(const NewOptions& said, double length, NewShip& ship) {
     ship.hull = readPanelled(ship.mesh, ship.options, ship.panels);
   } catch (const HydroError& error) {
     ship.problem = error.what();
-    HullVolume hull = readHullVolume(ship.mesh, ship.options);
+    Hull hull = readTrustedHull(ship.mesh, ship.options);
     ship.hull = {std::move(hull.surface), {}, hull.symmetric, hull.file};
   }
 }
 
-// Height of G above calm water [m]: a usual one, or lower where GM would be less than 5 % of the
-// beam.
-NewFact heightOfG(const NewOptions& said, const WaterlineGuess& guess, const Hydrostatics& h,
-                  const MeshReadOptions& options, double& height) {
+NewFact settleHeightOfG(const NewOptions& said, const WaterlineGuess& guess, const Hydrostatics& h,
+                        const MeshReadOptions& options, double& height) {
   NewFact line{"height of G", "", "a guess", "60 % of the depth, above calm water", "--cog-height"};
   const double unit = filePlacement(options).metresPerUnit;
   const double draught = (options.waterline - guess.low) * unit;  // without trim
@@ -150,10 +147,10 @@ NewFact heightOfG(const NewOptions& said, const WaterlineGuess& guess, const Hyd
     depth = kUsualDepth * draught;
     line.reason = fmt::format("60 % of a depth of {:g} draughts, above calm water", kUsualDepth);
   }
-  const double usual = kHeightOfG * depth - draught;
-  const double highest = h.buoyancy.z() + h.bmT - kLeastGm * h.beam;
-  if (usual > highest) line.reason = "what leaves a GM of 5 % of the beam, above calm water";
-  height = said.cogHeight.value_or(std::min(usual, highest));
+  const HeightOfG found = heightOfG(depth, draught, h);
+  if (found.usual > found.highest)
+    line.reason = "what leaves a GM of 5 % of the beam, above calm water";
+  height = said.cogHeight.value_or(found.height());
   if (said.cogHeight) line = {"height of G", "", "given", "above calm water", "--cog-height"};
   line.value = fmt::format("{:.4g} m", height);
   return line;
@@ -166,7 +163,7 @@ void settleLoading(const NewOptions& said, const WaterlineGuess& guess, NewShip&
   if (ship.hull.symmetric) ship.cog.y() = 0.0;
   for (double& place : ship.cog)  // round-off of what is alike on both sides
     if (std::abs(place) < 1e-9 * (h.length + h.beam)) place = 0.0;
-  ship.facts.push_back(heightOfG(said, guess, h, ship.options, ship.cog.z()));
+  ship.facts.push_back(settleHeightOfG(said, guess, h, ship.options, ship.cog.z()));
   const Afloat floating = afloat(ship.hull, {.mass = said.mass, .cog = ship.cog}, water);
   ship.hydrostatics = floating.hydrostatics;
   ship.mass = floating.ship.mass;

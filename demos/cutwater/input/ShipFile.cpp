@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "demos/cutwater/input/Floating.h"
+#include "demos/cutwater/input/HeightOfG.h"
 #include "demos/cutwater/input/HullFile.h"
 #include "demos/cutwater/input/Toml.h"
 #include "demos/cutwater/output/Messages.h"
@@ -19,14 +20,11 @@ namespace {
 constexpr double kDegree = kPi / 180.0;
 constexpr double kHighest = 1e4;  // that G may be above or below calm water [m]
 
-// What "auto" stands for [m above calm water]: 60 % of the depth, which is taken between 1.5 and 2
-// draughts as masts and houses are no part of it, and lower where GM would be below 5 % of the
-// beam.
+// What "auto" stands for [m above calm water]. The depth is taken between 1.5 and 2 draughts, as
+// masts and houses are no part of it.
 double usualHeightOfG(const PanelledHull& hull, const Hydrostatics& h) {
   const double height = bounds(hull.surface).high.z() + h.draft;
-  const double depth = std::clamp(height, 1.5 * h.draft, 2.0 * h.draft);
-  const double stable = h.buoyancy.z() + h.bmT - 0.05 * h.beam;
-  return std::min(0.6 * depth - h.draft, stable);
+  return heightOfG(std::clamp(height, 1.5 * h.draft, 2.0 * h.draft), h.draft, h).height();
 }
 
 /// @param lower  [m] how far the origin of `hull` lies above that of the hull as drawn.

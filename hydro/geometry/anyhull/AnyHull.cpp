@@ -58,7 +58,7 @@ class AnyHullMaking {
   /// A repaired hull of that volume is the better hull: it has the faces that were drawn.
   AnyHull bySurface() {
     const double drawnVolume = repaired_ ? volumeOf(wholeWetSurface(repaired_->hull)) : 0.0;
-    OuterSurface outer = outerSurface(clean_, count_, name_, symmetry_, drawnVolume);
+    OuterSurface outer = outerSurface(tight(), count_, symmetry_, drawnVolume);
     AnyHull made;
     made.panels = std::move(outer.panels);
     made.by = PanelsBy::Surface;
@@ -76,7 +76,7 @@ class AnyHullMaking {
     std::string why;
     try {
       AnyHull made = bySections();
-      if (follows(made, outerVolume(clean_, name_), why)) return made;
+      if (follows(made, outerVolume(tight()), why)) return made;
     } catch (const HydroError& error) {
       why = error.what();
       if (why.starts_with(name_ + ": ")) why.erase(0, name_.size() + 2);
@@ -88,9 +88,15 @@ class AnyHullMaking {
   }
 
  private:
+  /// The surface that the water flows around; found once.
+  const TightSurface& tight() {
+    if (!tight_) tight_ = withoutLeaks(clean_.mesh, name_);
+    return *tight_;
+  }
+
   /// A hull that is open above water as a bowl that is filled, if there is enough of it.
-  void close(AnyHull& made) const {
-    OuterSurface outer = outerSurface(clean_, count_, name_, symmetry_, made.volume);
+  void close(AnyHull& made) {
+    OuterSurface outer = outerSurface(tight(), count_, symmetry_, made.volume);
     if (!outer.hull.closed || outer.hull.symmetric != made.hull.symmetric ||
         !isNear(made.volume, outer.volume))
       return;
@@ -124,6 +130,7 @@ class AnyHullMaking {
   const std::string& name_;
   Symmetry symmetry_;
   std::optional<RepairedHull> repaired_;
+  std::optional<TightSurface> tight_;
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
@@ -6,12 +7,14 @@
 
 namespace cutwater {
 
-/// How panels are laid on a hull.
+/// How panels are laid on a hull, in files and commands by the names below.
 enum class PanelsBy {
   Auto,      ///< by sections where they follow the hull, else by the surface
   Sections,  ///< rows between cuts across the hull (panelling/Panelling.h): for ships
   Surface    ///< quadrilaterals over any outer surface (outer/SurfacePanels.h)
 };
+
+inline constexpr std::array kPanelsByNames{"auto", "sections", "surface"};
 
 /// A hull with panels, made of whatever mesh there is, and what had to be done to it.
 ///     const AnyHull ship = anyHull(readSurface("frigate.obj"), 433, "frigate.obj");

@@ -52,8 +52,8 @@ std::size_t lineOf(const SpaceGrid& grid, std::size_t node, int axis) {
 /// The runs between neighbouring crossings of one line that are no longer than `longest` and that
 /// `counts`.
 template <class Crossing, class Counts>
-void addRuns(std::vector<Run>& runs, const SpaceGrid& grid, std::vector<Crossing> list, int axis,
-             double longest, const Counts& counts) {
+void addRuns(std::vector<Run>& runs, const SpaceGrid& grid, const std::vector<Crossing>& list,
+             int axis, double longest, const Counts& counts) {
   std::vector<std::pair<std::size_t, Crossing>> lines;
   for (const Crossing& c : list) lines.emplace_back(lineOf(grid, c.node, axis), c);
   std::sort(lines.begin(), lines.end(), [](const auto& l, const auto& r) {

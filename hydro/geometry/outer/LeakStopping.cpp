@@ -17,7 +17,6 @@ namespace {
 constexpr double kSlit = 1e-3;      // of the length
 constexpr double kLeaked = 2e-3;    // of the volume, lost through holes
 constexpr double kMostlyWet = 0.5;  // share of the area with water on both sides
-constexpr double kNoMirror = 0.0;   // symmetry is not asked for here
 
 double lengthOf(const SurfaceMesh& mesh) {
   const Bounds box = bounds(mesh);
@@ -63,15 +62,15 @@ void checkOutside(const WaterSurvey& s, const std::vector<FilledHole>& holes,
 double slitTolerance(const SurfaceMesh& mesh) { return kSlit * lengthOf(mesh); }
 
 TightSurface withoutLeaks(const SurfaceMesh& clean, const std::string& name) {
-  TightSurface tight{clean, {}};
   const double slit = slitTolerance(clean);
+  TightSurface tight{clean, surveyWater(clean, slit), {}};
+  WaterSurvey& survey = tight.survey;
   SurfaceMesh wet = cutBelow(clean);
   std::vector<FilledHole> holes;
-  WaterSurvey survey = surveyWater(tight.mesh, slit, kNoMirror);
   if (hasLooseEdge(wet)) {
     holes = fill(wet, name);
     SurfaceMesh filled = triangulated(welded(joined(wet, cutAbove(clean)), 0.0));
-    WaterSurvey after = surveyWater(filled, slit, kNoMirror);
+    WaterSurvey after = surveyWater(filled, slit);
     if (survey.volume < (1 - kLeaked) * after.volume) {
       tight.mesh = std::move(filled);
       const auto closed = std::count_if(holes.begin(), holes.end(),
@@ -81,7 +80,7 @@ TightSurface withoutLeaks(const SurfaceMesh& clean, const std::string& name) {
                                        after.volume - survey.volume, after.volume));
       survey = std::move(after);
     }
-    const double open = surveyWater(tight.mesh, 0.0, kNoMirror).volume;
+    const double open = surveyWater(tight.mesh, 0.0).volume;
     if (open < (1 - kLeaked) * survey.volume)
       tight.done.push_back(
           fmt::format("closed slits up to {:.2g} m wide, through which {:.3g} m3 "

@@ -9,7 +9,8 @@ namespace cutwater {
 
 /// A surface that holds the water out, as far as it can be made to.
 struct TightSurface {
-  SurfaceMesh mesh;  ///< triangles
+  SurfaceMesh mesh;    ///< triangles
+  WaterSurvey survey;  ///< of it, with slitTolerance
   std::vector<std::string> done;
 };
 

@@ -10,10 +10,8 @@
 #include "hydro/geometry/MeshIntegrals.h"
 #include "hydro/geometry/PlaceText.h"
 #include "hydro/geometry/outer/DualSurface.h"
-#include "hydro/geometry/outer/LeakStopping.h"
 #include "hydro/geometry/outer/PanelTidying.h"
 #include "hydro/geometry/outer/SurfaceFitting.h"
-#include "hydro/geometry/outer/WaterSurvey.h"
 
 namespace cutwater {
 namespace {
@@ -44,14 +42,14 @@ std::vector<Vec3> unitNormals(const SurfaceMesh& triangles) {
 
 class SurfacePanels {
  public:
-  SurfacePanels(TightSurface tight, const std::string& name, Symmetry symmetry)
-      : mesh_(std::move(tight.mesh)),
-        name_(name),
-        done_(std::move(tight.done)),
+  SurfacePanels(const TightSurface& tight, Symmetry symmetry)
+      : mesh_(tight.mesh),
+        survey_(tight.survey),
+        done_(tight.done),
         box_(bounds(mesh_)),
         normals_(unitNormals(mesh_)),
-        survey_(surveyWater(mesh_, slitTolerance(mesh_), kMirrorTolerance * box_.diagonal())),
-        half_(symmetry != Symmetry::None && survey_.symmetric) {}
+        half_(symmetry != Symmetry::None &&
+              isMirrorImage(mesh_, survey_, kMirrorTolerance * box_.diagonal())) {}
 
   /// Finer where the panels would lack volume, up to kMostPanels of the count.
   OuterSurface about(int count, double knownVolume) {
@@ -190,28 +188,26 @@ class SurfacePanels {
           fmt::format("took {:.0f} panels a side instead of {}, for its volume", aSide(s), count));
   }
 
-  SurfaceMesh mesh_;
-  std::string name_;
-  std::vector<std::string> done_;
+  const SurfaceMesh& mesh_;
+  const WaterSurvey& survey_;
+  const std::vector<std::string>& done_;
   Bounds box_;
   std::vector<Vec3> normals_;
-  WaterSurvey survey_;
   bool half_;
   double known_ = 0.0;
 };
 
 }  // namespace
 
-OuterSurface outerSurface(const CleanSurface& clean, int count, const std::string& name,
-                          Symmetry symmetry, double knownVolume) {
-  return SurfacePanels(withoutLeaks(clean.mesh, name), name, symmetry).about(count, knownVolume);
+OuterSurface outerSurface(const TightSurface& tight, int count, Symmetry symmetry,
+                          double knownVolume) {
+  return SurfacePanels(tight, symmetry).about(count, knownVolume);
 }
 
-double outerVolume(const CleanSurface& clean, const std::string& name) {
-  const SurfaceMesh tight = withoutLeaks(clean.mesh, name).mesh;
-  const WaterSurvey survey = surveyWater(tight, slitTolerance(tight), 0.0);
+double outerVolume(const TightSurface& tight) {
+  const WaterSurvey& survey = tight.survey;
   const int top = survey.water.grid().count(2) - 1;
-  return volumeIntegrals(dualSurface(survey.water, unitNormals(tight), true).mesh).volume +
+  return volumeIntegrals(dualSurface(survey.water, unitNormals(tight.mesh), true).mesh).volume +
          partsBetweenCrossings(survey.water, survey.crossings, top).volume;
 }
 

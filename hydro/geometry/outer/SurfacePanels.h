@@ -2,14 +2,15 @@
 #include <string>
 #include <vector>
 
+#include "hydro/geometry/outer/LeakStopping.h"
 #include "hydro/geometry/outer/LostParts.h"
-#include "hydro/geometry/repair/CleanSurface.h"
 
 namespace cutwater {
 
 /// The outer surface of anything, closed, and panels on its wet part.
 ///     const CleanSurface clean = cleanSurface(mesh, "rig", Symmetry::Auto);
-///     const OuterSurface outer = outerSurface(clean, 433, "rig", Symmetry::Auto);
+///     const TightSurface tight = withoutLeaks(clean.mesh, "rig");
+///     const OuterSurface outer = outerSurface(tight, 433, Symmetry::Auto);
 struct OuterSurface {
   Hull hull;            ///< both sides, closed; a bowl is filled to its lowest rim. Open at calm
                         ///< water if less than 5 % of its volume would be above that
@@ -26,17 +27,13 @@ struct OuterSurface {
 /// about `count` panels a side on it, quadrilaterals where possible, with sharp edges kept.
 /// Any soup of faces will do: solids that touch, overlap or lie in one another, inner skins,
 /// doubled faces, any winding, slits. Plates with water on both sides are left out, and said.
-/// @param name  of the file, for messages.
 /// The count may rise by half where the panels would lack volume otherwise.
 /// @param knownVolume  [m³] of the closed faces below water, if they could be repaired: where it is
 ///   within 0.4 % of the grid's, the panels enclose it.
-/// @throws HydroError HullNotClosed, naming the place, where water gets to both sides of most
-///   faces.
-OuterSurface outerSurface(const CleanSurface& clean, int count, const std::string& name,
-                          Symmetry symmetry, double knownVolume = 0.0);
+OuterSurface outerSurface(const TightSurface& tight, int count, Symmetry symmetry,
+                          double knownVolume = 0.0);
 
-/// What that surface encloses below calm water [m³], on a coarser grid.
-/// @throws as outerSurface.
-double outerVolume(const CleanSurface& clean, const std::string& name);
+/// What that surface encloses below calm water [m³], on the grid of the survey.
+double outerVolume(const TightSurface& tight);
 
 }  // namespace cutwater

@@ -10,10 +10,7 @@ namespace cutwater {
 namespace {
 
 constexpr double kNodes = 1.5e6;
-// As of a repaired hull: faces of one side may be divided otherwise than those of the other.
-constexpr double kMayBeOff = 0.01;  // share of the places
-constexpr double kMayHeel = 1e-3;   // ∫ y dV over V and the half breadth
-constexpr std::size_t kPlaces = 4000;
+constexpr double kMayHeel = 1e-3;  // ∫ y dV over V and the half breadth, as of a repaired hull
 
 SpaceGrid surveyGrid(const Bounds& wet, double& spacing) {
   const Vec3 size = wet.high - wet.low;
@@ -55,18 +52,6 @@ std::vector<Vec3> placesOf(const SurfaceMesh& triangles, const WaterGrid& water,
   return places;
 }
 
-bool isSymmetric(const SurfaceMesh& triangles, const WaterSurvey& s, double tolerance) {
-  if (std::abs(s.middle.y()) > kMayHeel * std::max(s.wet.high.y(), -s.wet.low.y())) return false;
-  SurfaceMesh seen;
-  const std::vector<Vec3> places = placesOf(triangles, s.water, seen);
-  const SurfaceTree tree(seen);
-  const std::size_t step = std::max<std::size_t>(1, places.size() / kPlaces);
-  std::size_t off = 0, all = 0;
-  for (std::size_t i = 0; i < places.size(); i += step, ++all)
-    if (tree.distance({places[i].x(), -places[i].y(), places[i].z()}) > tolerance) ++off;
-  return static_cast<double>(off) <= kMayBeOff * static_cast<double>(all);
-}
-
 // Lines of all three directions meet a face; each counts by the cosine, so that together they count
 // its area once.
 void measureSurface(const SurfaceMesh& triangles, WaterSurvey& s) {
@@ -102,8 +87,7 @@ void measurePlates(const SurfaceMesh& triangles, WaterSurvey& s) {
 
 }  // namespace
 
-WaterSurvey surveyWater(const SurfaceMesh& triangles, double openTolerance,
-                        double mirrorTolerance) {
+WaterSurvey surveyWater(const SurfaceMesh& triangles, double openTolerance) {
   const Bounds wet = bounds(cutBelow(triangles));
   double spacing = 0.0;
   const SpaceGrid grid = surveyGrid(wet, spacing);
@@ -111,9 +95,15 @@ WaterSurvey surveyWater(const SurfaceMesh& triangles, double openTolerance,
   WaterGrid water(grid, crossings, false);
   WaterSurvey s{std::move(water), std::move(crossings), spacing, wet};
   measureSurface(triangles, s);
-  s.symmetric = mirrorTolerance > 0 && isSymmetric(triangles, s, mirrorTolerance);
   measurePlates(triangles, s);
   return s;
+}
+
+bool isMirrorImage(const SurfaceMesh& triangles, const WaterSurvey& s, double tolerance) {
+  if (std::abs(s.middle.y()) > kMayHeel * std::max(s.wet.high.y(), -s.wet.low.y())) return false;
+  SurfaceMesh seen;
+  const std::vector<Vec3> places = placesOf(triangles, s.water, seen);
+  return holdsMirrorImages(SurfaceTree(seen), places, tolerance);
 }
 
 }  // namespace cutwater

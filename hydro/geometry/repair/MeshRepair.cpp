@@ -21,9 +21,7 @@
 namespace cutwater {
 namespace {
 
-constexpr double kOff = 2e-4;            // of the size: how near a mirror image must lie
-constexpr double kMayBeOff = 0.01;       // share of the vertices
-constexpr std::size_t kMirrored = 4000;  // vertices examined
+constexpr double kOff = 2e-4;  // of the size: how near a mirror image must lie
 
 class Repair {
  public:
@@ -88,15 +86,7 @@ class Repair {
   bool isSymmetric() const {
     const VolumeIntegrals v = volumeIntegrals(wet_);
     if (std::abs(v.moment.y()) > 1e-3 * v.volume * bounds(wet_).high.y()) return false;
-    const SurfaceTree tree(wet_);
-    const std::size_t step = std::max<std::size_t>(1, wet_.vertices.size() / kMirrored);
-    std::size_t seen = 0, off = 0;
-    for (std::size_t i = 0; i < wet_.vertices.size(); i += step) {
-      const Vec3& p = wet_.vertices[i];
-      ++seen;
-      if (tree.distance({p.x(), -p.y(), p.z()}) > kOff * size_) ++off;
-    }
-    return static_cast<double>(off) <= kMayBeOff * static_cast<double>(seen);
+    return holdsMirrorImages(SurfaceTree(wet_), wet_.vertices, kOff * size_);
   }
 
   /// Wet and dry part together, the dry part's faces turned to agree with the wet.

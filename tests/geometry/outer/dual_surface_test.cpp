@@ -50,7 +50,7 @@ TEST(DualSurfaceIdentity, BodiesThatTouchInACellKeepVerticesOfTheirOwn) {
 
 TEST(DualSurfaceIdentity, AtCalmWaterItIsOpenOnTheWaterlineOnly) {
   const SurfaceMesh hull = triangulated(closedFrigate(30, 10));
-  const WaterSurvey survey = surveyWater(hull, 0.0, 0.0);
+  const WaterSurvey survey = surveyWater(hull, 0.0);
   const DualSurface s = dualSurface(survey.water, test::unitNormals(hull), true);
   EXPECT_EQ(test::openEdgesBelowWater(s.mesh), 0);
   for (std::size_t i = 0; i < s.hold.size(); ++i)

@@ -9,7 +9,7 @@ namespace {
 
 SurfaceMesh barge() { return triangulated(test::cubes(test::cells({-30, -4, -3}, {30, 4, 2}))); }
 
-double volumeOf(const SurfaceMesh& mesh) { return surveyWater(mesh, 0.0, 0.0).volume; }
+double volumeOf(const SurfaceMesh& mesh) { return surveyWater(mesh, 0.0).volume; }
 
 TEST(LeakStopping, ANarrowHoleIsClosedAndSaid) {
   // One of the 1 m squares of the bottom: 1/60 of the length is not too wide.

@@ -8,7 +8,8 @@ namespace cutwater {
 namespace {
 
 OuterSurface outerOf(const SurfaceMesh& mesh, int count = 433) {
-  return outerSurface(cleanSurface(mesh, "body", Symmetry::Auto), count, "body", Symmetry::Auto);
+  return outerSurface(withoutLeaks(cleanSurface(mesh, "body", Symmetry::Auto).mesh, "body"), count,
+                      Symmetry::Auto);
 }
 
 /// V from each component of ∫ r n dS: the three agree for what is open on z = 0 only.
