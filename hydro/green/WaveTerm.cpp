@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "hydro/Conventions.h"
 #include "hydro/base/SimdMath.h"
 #include "hydro/green/WaveTermTables.h"
 
@@ -12,7 +13,6 @@ namespace cutwater {
 namespace {
 
 using namespace wave_tables;
-constexpr double kPi = std::numbers::pi;
 
 /// J₀, J₁, Y₀, Y₁ from the table, X < kBesselCells.
 CUTWATER_INLINE Double4 besselFromTable(const BesselCell* cells, double X) {

@@ -5,10 +5,11 @@
 #include <numbers>
 #include <utility>
 
+#include "hydro/Conventions.h"
+
 namespace cutwater::oracle {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kGauss = 16;
 
 struct GaussRule {

@@ -14,7 +14,7 @@ constexpr double kOff = 1e-5, kOffX = 0.37 * kOff, kOffY = 0.53 * kOff, kOffZ = 
 constexpr double kBelowWater[] = {0.3, 0.9, 1.9};
 // Of planes nearer to a thin part's than this many lengths there is no need.
 constexpr double kNear = 0.55;
-constexpr double kApart = 0.2;   // lengths between two planes of thin parts
+constexpr double kThinApart = 0.2;   // lengths between two planes of thin parts
 constexpr double kMargin = 1.4;  // lengths beyond the body
 
 /// Extra planes take the place of those near them; the first and the last may have to stay.
@@ -171,7 +171,7 @@ SpaceGrid::Planes planesOfThinParts(const WaterGrid& water, const GridCrossings&
       const bool onCentreplane = mirrored && part.middle < 0.2 * length;
       if (alongAxis) planes.push_back(onCentreplane ? 0.25 * part.length : part.middle);
       std::erase_if(runs, [&, middle = part.middle](const Run& run) {
-        return std::abs(run.middle - middle) < kApart * length;
+        return std::abs(run.middle - middle) < kThinApart * length;
       });
     }
   }

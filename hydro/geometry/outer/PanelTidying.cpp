@@ -10,7 +10,7 @@ namespace {
 constexpr double kSliver = 0.12;  // height of a triangle over its longest edge
 // A quadrilateral with a straight corner is as good as a triangle: only what folds is divided.
 constexpr double kFolded = -1e-3;
-constexpr int kRounds = 6;
+constexpr int kTidyings = 6;
 
 using Corners = std::vector<int>;
 
@@ -224,7 +224,7 @@ std::vector<Face> withoutFolds(const std::vector<Face>& faces) {
 
 std::vector<Face> tidied(const SurfaceMesh& panels) {
   SurfaceMesh mesh = withoutFoldedFaces(withoutNeedles(panels));
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kTidyings; ++round) {
     mesh = withoutNeedles(SliverRemoval(mesh).removed());
     mesh.faces = withoutFolds(mesh.faces);
   }

@@ -20,7 +20,7 @@ constexpr int kFine = 8;                      // planes of the fine grid in one 
 constexpr std::size_t kMostNodes = 40000000;  // of the fine grid
 constexpr double kMirrorTolerance = 1e-3;     // of the size
 constexpr double kShortest = 0.3;             // of the panels' length: shorter edges are merged
-constexpr int kRounds = 8;                    // of smoothing
+constexpr int kSmoothings = 8;                    // of smoothing
 constexpr double kTogether = 1e-3;  // of the panels' length: corners of two cells that met
 constexpr double kReach = 0.15;     // of it, around a vertex: an edge is looked for there
 constexpr double kOnEdge = 0.02;    // of the panels' length: a vertex on an edge is so near
@@ -132,7 +132,7 @@ class SurfacePanels {
     DualSurface panels = panelsOf(water, step, fine.top, length);
     const SurfaceTree surface(wet);
     releaseRoundEdges(panels, wet, surface, kOnEdge * length, kReach * length);
-    smooth(panels, surface, kRounds);
+    smooth(panels, surface, kSmoothings);
     panels.mesh.faces = tidied(panels.mesh);
     fillOut(panels, surface, out.volume / sides, kMostMove * length);
     out.panels = welded(withSplitWaterCorners(panels.mesh), kTogether * length);
