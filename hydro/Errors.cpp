@@ -13,7 +13,7 @@ struct FaultRow {
 };
 
 // In the order of the bits.
-constexpr std::array<FaultRow, 16> kFaults{{
+constexpr std::array<FaultRow, 17> kFaults{{
     {kLoadNotFinite, "kLoadNotFinite", "a load was not finite and was not applied"},
     {kStateNotFinite, "kStateNotFinite", "the ship's position or velocity was not finite"},
     {kTickLengthChanged, "kTickLengthChanged",
@@ -39,6 +39,8 @@ constexpr std::array<FaultRow, 16> kFaults{{
     {kFarFromCourse, "kFarFromCourse",
      "the ship was far from the mean place where its waves are taken"},
     {kCourseBegan, "kCourseBegan", "the ship was set elsewhere, and its mean course began there"},
+    {kSeaNotChanged, "kSeaNotChanged",
+     "the sea that was to come could not be made, the old one stays"},
 }};
 
 const FaultRow* find(std::uint32_t bit) noexcept {

@@ -80,12 +80,14 @@ enum StepFault : std::uint32_t {
   kOutOfWater = 1u << 13,     ///< the whole hull is above the waves, or below them
   kFarFromCourse = 1u << 14,  ///< far from the mean place where waves are taken (Ship::offCourse)
   kCourseBegan = 1u << 15,    ///< somebody set the body elsewhere: its mean course began there
+  /// The tables of a sea that was to come could not be made (Seaway::setSea): the old one stays.
+  kSeaNotChanged = 1u << 16,
 };
 
 /// The bits after which a run may go on.
 inline constexpr std::uint32_t kWarningBits =
     kTickLengthChanged | kSpeedOutsideTheory | kTickTooLong | kMassChanged | kGravityChanged |
-    kAttitudeOutsideTheory | kOutOfWater | kFarFromCourse | kCourseBegan;
+    kAttitudeOutsideTheory | kOutOfWater | kFarFromCourse | kCourseBegan | kSeaNotChanged;
 
 /// What the bits say in plain English, one phrase a bit, joined by "; ". A bit that has no meaning
 /// is told by its number; "" for none.

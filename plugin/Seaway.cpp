@@ -9,6 +9,8 @@
 #include "hydro/Errors.h"
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/forces/SeaTables.h"
+#include "plugin/SeaChange.h"
+#include "plugin/SeaView.h"
 #include "plugin/SettingsCheck.h"
 #include "plugin/ShipBody.h"
 #include "plugin/ThreadPool.h"
@@ -59,11 +61,11 @@ void checkGravity(const btVector3& gravity, const WorldFrame& frame, double righ
   refuse(line.str());
 }
 
-void checkSea(const SeaState& sea, double right) {
+void checkSea(const SeaState& sea, double right, const char* caller) {
   if (sea.components().empty() || std::abs(sea.gravity() - right) <= kSeaGravity * right) return;
   std::ostringstream line;
-  line << "Seaway::addShip: the sea's gravity " << sea.gravity()
-       << " m/s2 is not that of the database, " << right << " m/s2: give that to SeaState";
+  line << caller << ": the sea's gravity " << sea.gravity() << " m/s2 is not that of the database, "
+       << right << " m/s2: give that to SeaState";
   throw HydroError(Fault::ValueOutOfRange, line.str());
 }
 
@@ -114,6 +116,8 @@ Seaway::Seaway(btDiscreteDynamicsWorld& world, SeaState sea, const WorldFrame& f
     : world_(checked(world)),
       sea_(std::make_shared<const SeaState>(std::move(sea))),
       frame_(checked(frame)),
+      seaKey_(sea_->key()),
+      watch_(std::make_shared<SeaWatch>(sea_, frame_)),
       listener_(std::make_unique<Listener>(*this)),
       hook_(std::make_unique<WorldHook>(world, *listener_)) {}
 
@@ -155,12 +159,24 @@ Ship& Seaway::add(std::shared_ptr<const Hydrodynamics> hydrodynamics, const Ship
     throw HydroError(Fault::BadArgument, "Seaway::addShip: the body is a ship of this sea already");
   }
   checkGravity(world_.getGravity(), frame_, hydrodynamics->ship().gravity);
-  checkSea(*sea_, hydrodynamics->ship().gravity);
+  checkSea(*sea_, hydrodynamics->ship().gravity, "Seaway::addShip");
+  waitForSea();
   ships_.reserve(ships_.size() + 1);
   shipFaults_.resize(ships_.size() + 1);
+  const std::shared_ptr<const Hydrodynamics> kind = hydrodynamics;
   auto ship =
       std::make_unique<Ship>(world_, frame_, tablesOf(std::move(hydrodynamics)), settings, own);
   if (preparedFor_ > 0.0) ship->prepare(preparedFor_);
+  if (coming_) {
+    auto& known = coming_->tablesInNext;
+    const auto fits = [&](const auto& tables) {
+      return tables->hydrodynamics().get() == &ship->hydrodynamics();
+    };
+    auto found = std::find_if(known.begin(), known.end(), fits);
+    if (found == known.end())
+      found = known.insert(known.end(), std::make_shared<const SeaTables>(kind, coming_->next));
+    coming_->shipsInNext.emplace_back(*found, ship->seaOrder());
+  }
   return *ships_.emplace_back(std::move(ship));
 }
 
@@ -208,7 +224,10 @@ void Seaway::removeShip(Ship& ship) {
            ") still holds the body that is about to go; removeConstraint() it first");
   }
   if (lives) ship.worldLives();
-  std::erase_if(ships_, [&](const auto& owned) { return owned.get() == &ship; });
+  waitForSea();
+  const auto place = std::find_if(ships_.begin(), ships_.end(), isIt);
+  if (coming_) coming_->shipsInNext.erase(coming_->shipsInNext.begin() + (place - ships_.begin()));
+  ships_.erase(place);
   std::erase_if(tables_, [](const auto& tables) { return tables.use_count() == 1; });
 }
 
@@ -216,6 +235,81 @@ btVector3 Seaway::waterAt(const btVector3& place) const noexcept {
   Vec3 at = frame_.placeToEarth(place);
   at.z() = waveHeight(at.x(), at.y());
   return frame_.place(at);
+}
+
+void Seaway::setSea(SeaState next, double fadeSeconds) {
+  waitForSea();
+  SeaChange::Order order;
+  order.next = std::make_shared<const SeaState>(std::move(next));
+  order.both = std::make_shared<const SeaState>(sea_->goingOver(*order.next, time_, fadeSeconds));
+  order.seconds = fadeSeconds;
+  for (const auto& ship : ships_) {
+    const auto isKind = [&](const auto& kind) {
+      return kind->hydrodynamics().get() == &ship->hydrodynamics();
+    };
+    const auto known = std::find_if(order.kinds.begin(), order.kinds.end(), isKind);
+    order.kindOf.push_back(static_cast<std::size_t>(known - order.kinds.begin()));
+    if (known == order.kinds.end()) {
+      checkSea(*order.next, ship->hydrodynamics().ship().gravity, "Seaway::setSea");
+      order.kinds.push_back(*std::find_if(tables_.begin(), tables_.end(), isKind));
+    }
+    order.ships.push_back(ship->seaOrder());
+  }
+  if (!change_) change_ = std::make_unique<SeaChange>();
+  change_->make(std::move(order));
+}
+
+bool Seaway::seaIsChanging() const noexcept {
+  return coming_ != nullptr || (change_ && change_->busy());
+}
+
+void Seaway::waitForSea() {
+  if (!change_ || !change_->busy()) return;
+  change_->wait();
+  enterComing();
+}
+
+// Between two ticks, if it is ready. Throws what was thrown in making it.
+void Seaway::enterComing() {
+  if (!change_) return;
+  std::exception_ptr failed;
+  std::unique_ptr<ComingSea> made = change_->take(failed);
+  if (failed) std::rethrow_exception(failed);
+  if (!made) return;
+  made->both->goesOverFrom(time_);
+  made->until = time_ + made->seconds;
+  const SharedWaves shared{0, sea_->components().size(), 0};
+  for (std::size_t i = 0; i < ships_.size(); ++i) ships_[i]->enterSea(made->shipsInBoth[i], shared);
+  tables_.swap(made->tablesInBoth);
+  setShared(made->both);
+  coming_.swap(made);
+  if (made) change_->free(std::move(made));
+}
+
+void Seaway::enterNext() noexcept {
+  const SharedWaves shared = coming_->ofNext();
+  for (std::size_t i = 0; i < ships_.size(); ++i)
+    ships_[i]->enterSea(coming_->shipsInNext[i], shared);
+  tables_.swap(coming_->tablesInNext);
+  setShared(coming_->next);
+  change_->free(std::move(coming_));
+}
+
+void Seaway::setShared(const std::shared_ptr<const SeaState>& sea) noexcept {
+  sea_ = sea;
+  seaKey_ = sea->key();
+  watch_->set(sea, time_);
+}
+
+// A change that is being made holds what goes over now.
+void Seaway::followSea() noexcept {
+  if (!change_) return;
+  try {
+    enterComing();
+  } catch (...) {
+    raise(kSeaNotChanged);
+  }
+  if (coming_ && time_ >= coming_->until && !change_->busy()) enterNext();
 }
 
 Seaway::Snapshot Seaway::save() const {
@@ -226,6 +320,7 @@ Seaway::Snapshot Seaway::save() const {
 
 void Seaway::save(Snapshot& snapshot) const {
   snapshot.time = time_;
+  snapshot.seaKey = seaKey_;
   snapshot.ships.resize(ships_.size());
   for (std::size_t i = 0; i < ships_.size(); ++i) ships_[i]->save(snapshot.ships[i]);
 }
@@ -236,8 +331,13 @@ void Seaway::restore(const Snapshot& snapshot) {
                                              std::to_string(snapshot.ships.size()) +
                                              " ships, here are " + std::to_string(ships_.size()));
   }
+  if (snapshot.seaKey != seaKey_) {
+    throw HydroError(Fault::BadArgument,
+                     "Seaway::restore: the snapshot was taken in another sea than this one");
+  }
   for (std::size_t i = 0; i < ships_.size(); ++i) ships_[i]->restore(snapshot.ships[i]);
   time_ = snapshot.time;
+  watch_->set(nullptr, time_);
 }
 
 void Seaway::forgetContacts() {
@@ -275,6 +375,7 @@ void Seaway::clearFaults() noexcept {
 
 void Seaway::beforeTick(btScalar step) noexcept {
   if (!solverCarriesAddedMass(world_)) raise(kSolverNotSupported);
+  followSea();
   step_ = step;
   for (const auto& ship : ships_) raise(ship->keepConstraints());
   const auto one = [](void* self, std::size_t i) {
@@ -293,6 +394,7 @@ void Seaway::afterTick(btScalar step) noexcept {
   for (const auto& ship : ships_) raise(ship->endTick(step));
   for (TickObserver* observer : observers_) observer->tickDone(*this);
   if (std::isfinite(step)) time_ += static_cast<double>(step);
+  watch_->set(nullptr, time_);
   tickFaults_ = kStepOk;
 }
 

@@ -11,6 +11,10 @@
 
 CUTWATER_PLUGIN_BEGIN
 
+class SeaChange;
+struct ComingSea;
+class SeaView;
+class SeaWatch;
 class Seaway;
 class ThreadPool;
 class WorldHook;
@@ -99,6 +103,27 @@ class Seaway final {
   /// How many threads evaluate the ships' loads; 1 unless set. The same bits for any number.
   void setThreads(unsigned threads);
 
+  /// Another sea, into which the present one goes over while ships sail: a storm that builds up,
+  /// or waves that die down (`SeaState()`).
+  ///     seaway.setSea(makeSeaState({.hs = 8.0, .tp = 12.0}, {.seed = 2}), 120.0);
+  /// Its tables are made on a thread of ours, in some tenths of a second for each kind of ship;
+  /// with the first tick that finds them ready the change begins. From then on amplitudes of the
+  /// old sea fall and those of the new one rise over `fadeSeconds`, as SeaState::goingOver has it;
+  /// surface and loads do not jump, and no tick waits. Which tick that is depends on the machine;
+  /// who needs the same bits in each run calls waitForSea(). A change during a change is allowed.
+  /// Ships keep the triangles that they press on the water with, made for their first sea:
+  /// PressureHull::pressureErrorIn says what that means in another one.
+  /// @throws HydroError as SeaState::goingOver; ValueOutOfRange: the sea's gravity is not that of a
+  ///         ship's database.
+  void setSea(SeaState next, double fadeSeconds);
+  /// setSea() was called, and its change is not yet over.
+  bool seaIsChanging() const noexcept;
+  /// Waits until the tables of the coming sea are made: its change begins with the next tick.
+  /// @throws HydroError  what was thrown in making them; the old sea stays.
+  void waitForSea();
+  /// What another thread may look at the sea through: SeaView.h. Call it on the world's thread.
+  SeaView view() const;
+
   /// Sum of all ticks [s] since the Seaway joined the world.
   double time() const noexcept { return time_; }
   const SeaState& sea() const noexcept { return *sea_; }
@@ -115,11 +140,14 @@ class Seaway final {
   void clearFaults() noexcept;
 
   /// Exact state of time and ships, in their order: going on from it gives the same bits, if
-  /// contacts are forgotten both when it is taken and when it is restored (or there are none).
+  /// contacts are forgotten both when it is taken and when it is restored (or there are none). It
+  /// belongs to the sea of its moment: within a change of seas it may be restored until that is
+  /// over.
   /// Allocates nothing when saved into one of the same ships.  @throws HydroError BadArgument:
-  /// other ships.
+  /// other ships, another sea.
   struct Snapshot {
     double time = 0.0;
+    std::uint64_t seaKey = 0;  ///< SeaState::key
     std::vector<Ship::Snapshot> ships;
 
     /// For a file or another process with the same precision of Bullet, which goes on with the same
@@ -152,12 +180,17 @@ class Seaway final {
   std::shared_ptr<const SeaTables> tablesOf(std::shared_ptr<const Hydrodynamics> hydrodynamics);
   void raise(std::uint32_t faults) noexcept;
   bool worldLives() const noexcept;
+  void followSea() noexcept;
+  void enterComing();
+  void enterNext() noexcept;
+  void setShared(const std::shared_ptr<const SeaState>& sea) noexcept;
   void beforeTick(btScalar step) noexcept;
   void afterTick(btScalar step) noexcept;
 
   btDiscreteDynamicsWorld& world_;
   std::shared_ptr<const SeaState> sea_;
   WorldFrame frame_;
+  std::uint64_t seaKey_ = 0;
   double time_ = 0.0;
   btScalar step_ = 0;                                      // of this tick
   double preparedFor_ = 0.0;                               // length of tick; 0: none
@@ -165,9 +198,12 @@ class Seaway final {
   std::array<FaultCount, 32> faultCounts_{};               // of each bit
   std::vector<std::shared_ptr<const SeaTables>> tables_;
   std::vector<std::unique_ptr<Ship>> ships_;
+  std::unique_ptr<SeaChange> change_;      // makes tables; null until it is needed
+  std::unique_ptr<ComingSea> coming_;      // the change that goes on; null: none
   std::vector<std::uint32_t> shipFaults_;  // of this tick
   std::vector<TickObserver*> observers_;
   std::unique_ptr<ThreadPool> pool_;
+  std::shared_ptr<SeaWatch> watch_;  // sea and time as views see them
   std::unique_ptr<Listener> listener_;
   std::unique_ptr<WorldHook> hook_;  // last: no tick reaches us before all else is there
 };

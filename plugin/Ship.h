@@ -24,6 +24,7 @@ class SeaTables;
 struct Coefficients;
 struct CourseForces;
 struct Helm;
+class WaveForce;
 class WettedHull;
 }  // namespace cutwater
 
@@ -32,6 +33,8 @@ CUTWATER_PLUGIN_BEGIN
 class AddedMassConstraint;
 struct Rig;       // what of a ship stands in the world
 struct ShipPart;  // of the load, with what the ship knows about it
+struct ShipSea;   // what of a ship belongs to its sea
+struct ShipSeaOrder;
 
 /// What Bullet's contacts work on; hydrodynamics does not look at it.
 ///     seaway.addShip(boat, {.collision = {.deck = 1.4}});  // crates and people stay on board
@@ -301,6 +304,10 @@ class Ship {
   /// this ship and its body.
   std::uint32_t beginTick(double time, btScalar step) noexcept;
   std::uint32_t endTick(btScalar step) noexcept;
+  /// What the ship's part of another sea is made from, and that part's entry between two ticks,
+  /// which allocates nothing. Seaway calls them.
+  ShipSeaOrder seaOrder() const;
+  void enterSea(ShipSea& sea, const SharedWaves& shared) noexcept;
   /// Of somebody else's constraint that holds our own body; null: none. Seaway asks it.
   btTypedConstraint* foreignConstraint() const noexcept;
   /// Whether the body is known to stand in its world, which therefore lives.
@@ -415,6 +422,7 @@ class Ship {
   MeanCourse course_;
   MeanCourse line_;  // on which modes are held: the fixed course, or a free ship's from its start
   std::shared_ptr<PredictedMotion> predicted_;  // of a free ship
+  std::array<WaveForce*, 2> waves_{};           // of a fixed course: two of the parts
   const FreeRadiation* radiation_ = nullptr;    // of a free ship: one of the parts
 
   std::vector<ShipPart> parts_;

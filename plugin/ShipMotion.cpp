@@ -168,7 +168,7 @@ void Ship::findInput(double time, double step) noexcept {
   now.weight = mass() * (toCourse() * frame_.lengthToEarth(world_.getGravity()));
   const Mat3 toBody = now.attitude.transpose();
   now.velocityNow = rotated(toBody, toBody, velocityNow());
-  elevation_ = now.ramp * now.sea->elevation(now.phasors);
+  elevation_ = now.sea->elevation(now.phasors, time);
 }
 
 CUTWATER_PLUGIN_END

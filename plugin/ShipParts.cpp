@@ -61,8 +61,11 @@ void Ship::makeParts(const ShipSettings& settings) {
     database(std::move(radiation));
   } else {
     const WaveForce::Course course{course_.heading(), course_.speed()};
-    for (const WaveLoad load : {WaveLoad::FroudeKrylov, WaveLoad::Diffraction})
-      database(std::make_unique<WaveForce>(tables_, load, course));
+    for (const WaveLoad load : {WaveLoad::FroudeKrylov, WaveLoad::Diffraction}) {
+      auto waves = std::make_unique<WaveForce>(tables_, load, course);
+      waves_[static_cast<std::size_t>(load)] = waves.get();
+      database(std::move(waves));
+    }
     database(std::make_unique<Radiation>(hydrodynamics().radiation(), settings.model.memory));
   }
   addPart({.name = "added_mass"});

@@ -63,6 +63,7 @@ template <class Visitor, class Snapshot>
 requires std::same_as<std::remove_const_t<Snapshot>, Seaway::Snapshot>
 void visitFields(Visitor& v, Snapshot& s) {
   v.field("time", s.time);
+  v.field("seaKey", s.seaKey);
   v.field("ships", s.ships);
 }
 

@@ -40,11 +40,12 @@ std::array<vec4, 200> waves;
 std::vector<std::array<float, 4>> forShader(const cutwater::SeaState& sea, double time,
                                             double cameraX, double cameraY) {
   std::vector<std::array<float, 4>> all;
-  for (const cutwater::WaveComponent& wave : sea.components()) {
-    const double k = wave.omega * wave.omega / sea.gravity();
+  for (std::size_t i = 0; i < sea.components().size(); ++i) {
+    const cutwater::WaveComponent& wave = sea.components()[i];
+    const double k = sea.waveNumber(i);
     const double kx = k * std::cos(wave.heading), ky = -k * std::sin(wave.heading);
     const double phase = wave.omega * time - kx * cameraX - ky * cameraY + wave.phase;
-    all.push_back({float(kx), float(ky), float(sea.ramp(time) * wave.amplitude),
+    all.push_back({float(kx), float(ky), float(sea.growth(i, time) * wave.amplitude),
                    float(std::remainder(phase, 2.0 * cutwater::kPi))});
   }
   return all;

@@ -52,11 +52,15 @@ bool finite(const PredictedMotion::Way& way) {
 
 PredictedMotion::PredictedMotion(std::shared_ptr<const SeaTables> tables, const ActiveParts& parts)
     : tables_(std::move(tables)),
-      table_(tables_->following()),
+      keeps_(tables_->following()),
       response_(tables_->hydrodynamics()->freeResponse()),
       parts_(parts),
       blocks_(tables_->sea().phasorBlocks()),
       madeFor_(tables_->sea().components().size(), Way{kNan, {}}) {
+  for (const auto& table : keeps_) {
+    for (std::size_t i = 0; i < table->sea().components().size(); ++i)
+      forces_.push_back({table.get(), i});
+  }
   const double g = tables_->sea().gravity(), L = tables_->hydrodynamics()->length();
   const double linear = kNegligible * g, angular = kNegligible * g / L;
   negligible_ << linear * linear, linear * linear, angular * angular;
@@ -198,9 +202,10 @@ void PredictedMotion::renew(std::size_t component, const Way& way) noexcept {
   const WaveComponent& wave = tables_->sea().components()[component];
   const double k = tables_->sea().waveNumber(component), beta = wave.heading + way.heading;
   const double U = way.through.ahead, V = way.through.leeway;
-  const CVec6 incident = table_->froudeKrylov(component, way.heading);
+  const auto& [table, number] = forces_[component];
+  const CVec6 incident = table->froudeKrylov(number, way.heading);
   const double met = metAt(component, way);
-  CVec6 thrownBack = table_->diffraction(component, way.heading, U, V);
+  CVec6 thrownBack = table->diffraction(number, way.heading, U, V);
   // −V × R p_F of the water that diffraction moves; the term of U is in Tuck's form.
   if (std::abs(met) > kSlowest * wave.omega)
     thrownBack[Yaw] -= V * thrownBack[Surge] / Complex(0.0, met);
@@ -246,6 +251,29 @@ void PredictedMotion::follow(const Way& way, double turnRate, double step) noexc
     }
     next_ = next_ + 1 == madeFor_.size() ? 0 : next_ + 1;
   }
+}
+
+void PredictedMotion::enterSea(PredictedMotion& other, const SharedWaves& shared) noexcept {
+  other.setParts(parts_);
+  for (std::size_t i = 0; i < shared.count; ++i) {
+    const std::size_t from = shared.first + i, to = shared.to + i;
+    if (from >= madeFor_.size() || to >= other.madeFor_.size()) break;
+    const Block& was = blocks_[from / 4];
+    Block& comes = other.blocks_[to / 4];
+    for (std::size_t j = 0; j < kChannels; ++j) {
+      comes.re[j][to % 4] = was.re[j][from % 4];
+      comes.im[j][to % 4] = was.im[j][from % 4];
+    }
+    other.madeFor_[to] = madeFor_[from];
+  }
+  tables_.swap(other.tables_);
+  keeps_.swap(other.keeps_);
+  forces_.swap(other.forces_);
+  blocks_.swap(other.blocks_);
+  madeFor_.swap(other.madeFor_);
+  std::swap(seaKey_, other.seaKey_);
+  const bool stays = next_ >= shared.first && next_ < shared.first + shared.count;
+  next_ = stays ? next_ - shared.first + shared.to : 0;
 }
 
 void PredictedMotion::save(std::span<double> state) const noexcept {

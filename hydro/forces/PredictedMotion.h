@@ -52,6 +52,12 @@ class PredictedMotion {
   /// Some of them, at a tick of `step` [s].  @param turnRate  [rad/s].
   void follow(const Way& way, double turnRate, double step) noexcept;
 
+  /// Becomes that of the sea of `other`, which was made for this ship and its parts: amplitudes of
+  /// shared waves and how far the ship follows stay what they are, to the bit; `other` is left with
+  /// what this one was. Allocates nothing.
+  void enterSea(PredictedMotion& other, const SharedWaves& shared) noexcept;
+  const ActiveParts& parts() const noexcept { return parts_; }
+
   /// Looks how far the ship moves as predicted. Once a tick, after sum().
   /// @param velocity  of surge and sway [m/s], of yaw [rad/s], actual, in axes of the slow heading.
   /// @param begins  the ship was set: it did not come to this velocity.
@@ -87,7 +93,13 @@ class PredictedMotion {
   void setAnswer(std::size_t component, double omega, const Way& way, const CVec6& force) noexcept;
 
   std::shared_ptr<const SeaTables> tables_;
-  std::shared_ptr<const ExcitationTable> table_;
+  /// Of each component: its forces, and its number there.
+  struct Forces {
+    const ExcitationTable* table;
+    std::size_t component;
+  };
+  std::vector<std::shared_ptr<const ExcitationTable>> keeps_;
+  std::vector<Forces> forces_;
   const FreeResponse& response_;
   ActiveParts parts_;
   std::vector<Block> blocks_;

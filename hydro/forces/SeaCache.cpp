@@ -9,7 +9,7 @@ bool SeaCache::isOf(const SeaState& sea) const noexcept {
     return a.omega == b.omega && a.heading == b.heading;
   };
   const auto mine = waves.components(), other = sea.components();
-  return waves.gravity() == sea.gravity() &&
+  return waves.gravity() == sea.gravity() && waves.order() == sea.order() &&
          std::equal(mine.begin(), mine.end(), other.begin(), other.end(), same);
 }
 

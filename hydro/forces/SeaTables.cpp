@@ -22,15 +22,30 @@ SeaTables::SeaTables(std::shared_ptr<const Hydrodynamics> hydrodynamics,
   cache_ = hydro_->cacheOf(*sea_);
 }
 
+SeaTables::SeaTables(std::shared_ptr<const SeaState> sea,
+                     std::vector<std::shared_ptr<const SeaTables>> parts)
+    : sea_(std::move(sea)), parts_(std::move(parts)) {
+  std::size_t components = 0;
+  for (const auto& part : parts_) components += part ? part->sea().components().size() : 0;
+  if (!sea_ || parts_.empty() || !parts_.front() || components != sea_->components().size())
+    throw HydroError(Fault::BadArgument, "SeaTables: the parts are not those of the sea");
+  hydro_ = parts_.front()->hydrodynamics();
+}
+
 SeaTables::~SeaTables() = default;
 
-std::shared_ptr<const ExcitationTable> SeaTables::following() const {
+std::vector<std::shared_ptr<const ExcitationTable>> SeaTables::following() const {
+  std::vector<std::shared_ptr<const ExcitationTable>> tables;
+  for (const auto& part : parts_) {
+    for (auto& table : part->following()) tables.push_back(std::move(table));
+  }
+  if (!parts_.empty()) return tables;
   const std::lock_guard lock(cache_->mutex);
   if (!cache_->following) {
     cache_->following =
         std::make_shared<ExcitationTable>(hydro_->excitation(ForwardSpeedForm::Tuck), *sea_);
   }
-  return cache_->following;
+  return {cache_->following};
 }
 
 std::shared_ptr<const PressureHull> SeaTables::pressureHull(std::size_t most) const {
@@ -69,6 +84,15 @@ CourseForces forcesOn(const Hydrodynamics& hydro, const SeaState& sea, double he
 }  // namespace
 
 std::shared_ptr<const CourseForces> SeaTables::exact(double heading, double speed) const {
+  if (!parts_.empty()) {
+    CourseForces all{heading, speed, {}};
+    for (const auto& part : parts_) {
+      const auto forces = part->exact(heading, speed);
+      all.components.insert(all.components.end(), forces->components.begin(),
+                            forces->components.end());
+    }
+    return std::make_shared<const CourseForces>(std::move(all));
+  }
   const std::lock_guard lock(cache_->mutex);
   auto& kept = cache_->exact;
   const auto known = std::find_if(kept.begin(), kept.end(), [&](const auto& forces) {

@@ -26,6 +26,11 @@ class SeaTables {
   /// @throws HydroError BadArgument: a null pointer.
   SeaTables(std::shared_ptr<const Hydrodynamics> hydrodynamics,
             std::shared_ptr<const SeaState> sea);
+  /// Of a sea that goes over (SeaState::goingOver): all is taken from the tables of its parts, whose
+  /// components, one after the other, are its own.
+  /// @throws HydroError BadArgument: they are not, or a null pointer.
+  SeaTables(std::shared_ptr<const SeaState> sea,
+            std::vector<std::shared_ptr<const SeaTables>> parts);
   ~SeaTables();
 
   const std::shared_ptr<const Hydrodynamics>& hydrodynamics() const noexcept { return hydro_; }
@@ -33,7 +38,8 @@ class SeaTables {
 
   /// Loads at any course and speed, for a free ship, in Tuck's form. Made once: some tenths
   /// of a second and 10 MB for 200 components.  @throws HydroError as ExcitationTable.
-  std::shared_ptr<const ExcitationTable> following() const;
+  /// One table for each of the seas that this one is made of, in the order of their components.
+  std::vector<std::shared_ptr<const ExcitationTable>> following() const;
   /// Exact loads on a fixed course. The last SeaCache::kCoursesKept are kept, and those in use.
   /// @throws HydroError as WaveExcitation::at, naming the component.
   std::shared_ptr<const CourseForces> exact(double heading, double speed) const;
@@ -45,8 +51,9 @@ class SeaTables {
  private:
   std::shared_ptr<const Hydrodynamics> hydro_;
   std::shared_ptr<const SeaState> sea_;
-  std::shared_ptr<SeaCache> cache_;
-  mutable std::mutex mutex_;  // of what follows
+  std::vector<std::shared_ptr<const SeaTables>> parts_;  // none: one sea
+  std::shared_ptr<SeaCache> cache_;                      // of one sea
+  mutable std::mutex mutex_;                             // of what follows
   mutable std::vector<std::pair<std::size_t, std::shared_ptr<const PressureHull>>> hulls_;
 };
 

@@ -160,6 +160,23 @@ void WettedHull::takeMeanOff() noexcept {
   load_[Yaw] += rate[2];
 }
 
+// In calm water nobody asks for it again.
+void WettedHull::enterSea(WettedHull& other) noexcept {
+  tables_.swap(other.tables_);
+  std::swap(water_, other.water_);
+  std::swap(calm_, other.calm_);
+  std::swap(near_, other.near_);
+  towards_.swap(other.towards_);
+  weightX_.swap(other.weightX_);
+  weightY_.swap(other.weightY_);
+  meets_.swap(other.meets_);
+  if (!calm_) return;
+  for (auto* column : {&columns_.elevation, &columns_.head, &columns_.surfaceHead})
+    std::fill(column->begin(), column->end(), 0.0);
+  for (auto& carried : state_.carried) std::fill(carried.begin(), carried.end(), 0.0);
+  std::fill(state_.rise.begin(), state_.rise.end(), 0.0);
+}
+
 double WettedHull::depthOfTop() const noexcept {
   if (state_.wetVertices < hull_->triangles().vertices()) return 0.0;
   return *std::min_element(state_.depth.begin(), state_.depth.end());

@@ -45,6 +45,10 @@ class WettedHull {
   /// The same but for immersion and added mass: after restore(), what was seen last.
   void see(double time, const Place& actual, const Place& slow, const Vec6& velocity,
            const std::array<double, 2>& way) noexcept;
+  /// Becomes that of the sea of `other`, which was made for the same hull; immersion stays. `other`
+  /// is left with what this one was. Allocates nothing.
+  void enterSea(WettedHull& other) noexcept;
+  bool scaled() const noexcept { return scaled_; }
   /// The next look() has no past: nothing comes in or goes out with it.
   void forget() noexcept { begun_ = false; }
 

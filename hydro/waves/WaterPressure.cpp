@@ -1,60 +1,15 @@
 #include "hydro/waves/WaterPressure.h"
 
+#include <algorithm>
 #include <cmath>
 
-#include "hydro/base/SimdSingle.h"
+#include "hydro/waves/WaveSums.h"
 
 namespace cutwater {
 
 namespace {
 
-constexpr std::size_t kGroup = 16;  // waves whose sum is kept in single precision
-
-/// Σ term(i) over so many waves, in groups.
-template <class Single>
-CUTWATER_INLINE auto sumOver(std::size_t waves, const auto& term) {
-  decltype(toDouble(Single{})) sum = {};
-  for (std::size_t begin = 0; begin < waves; begin += kGroup) {
-    const std::size_t end = begin + kGroup < waves ? begin + kGroup : waves;
-    Single group = {};
-    for (std::size_t i = begin; i < end; ++i) group += term(i);
-    sum = sum + toDouble(group);
-  }
-  return sum;
-}
-
-/// θ/2π of a wave, −½..½.
-template <class Half>
-CUTWATER_INLINE auto turnsAt(const auto& wave, const Doubles<Half>& x, const Doubles<Half>& y) {
-  return toSingle(
-      Doubles<Half>{partOfTurn(wave.turns - wave.turnsX * x.low - wave.turnsY * y.low),
-                    partOfTurn(wave.turns - wave.turnsX * x.high - wave.turnsY * y.high)});
-}
-
-/// ζ; keeps what each wave has of it for headAt.
-template <class Double>
-CUTWATER_INLINE Double elevationAt(const auto& sea, const Double& x, const Double& y) {
-  using Single = decltype(toSingle(x));
-  const auto* waves = sea.waves.data();
-  auto* heights = sea.heights.data();
-  return sumOver<Single>(sea.waves.size(), [&](std::size_t i) CUTWATER_INLINED {
-    const Single height = waves[i].height * cosineOfTurns(turnsAt(waves[i], x, y));
-    storeAs(heights + i, height);
-    return height;
-  });
-}
-
-/// r Σ a e^{kz} cos θ.
-template <class Double>
-CUTWATER_INLINE Double headAt(const auto& sea, const Double& z) {
-  const auto level = toSingle(z);
-  using Single = decltype(toSingle(z));
-  const auto* waves = sea.waves.data();
-  const auto* heights = sea.heights.data();
-  return sumOver<Single>(sea.waves.size(), [&](std::size_t i) CUTWATER_INLINED {
-    return loadAs<Single>(heights + i) * powerOfTwo(waves[i].octaves * level);
-  });
-}
+using wave_sums::elevationAt, wave_sums::headAt, wave_sums::sumOver, wave_sums::turnsAt;
 
 /// r Σ f a e^{kz} cos θ with both factors f of each wave.
 template <class Double>
@@ -156,19 +111,34 @@ void WaterPressure::weigh(std::span<const double> first, std::span<const double>
 
 void WaterPressure::at(double time, double originX, double originY, const Points& points,
                        double near, const Water& water) noexcept {
-  const double ramp = sea_.ramp(time);
   for (std::size_t i = 0; i < waves_.size(); ++i) {
     const Component& c = components_[i];
     Wave& wave = waves_[i];
     wave.turns = partOfTurn(c.turnsPerSecond * time + c.turns - wave.turnsX * originX -
                             wave.turnsY * originY);
-    wave.height = static_cast<float>(ramp * c.amplitude);
+    wave.height = static_cast<float>(sea_.growth(i, time) * c.amplitude);
   }
   const Sea sea{waves_, heights_, sea_.profile()};
   if (wide_) {
     evaluateWide(sea, points, near, water);
   } else {
     evaluate(sea, points, near, water);
+  }
+  if (sea_.stokes()) pressSteep(time, points, water);
+}
+
+// What the first harmonic alone has left: elevation and heads. The sums that stand for the mean of
+// the level force stay its own.
+void WaterPressure::pressSteep(double time, const Points& points, const Water& water) noexcept {
+  const StokesWave::Series series = sea_.stokes()->series(sea_.growth(0, time));
+  const Wave& wave = waves_.front();
+  for (std::size_t i = 0; i < points.z.size(); ++i) {
+    const double theta =
+        2.0 * kPi * (wave.turns - wave.turnsX * points.x[i] - wave.turnsY * points.y[i]);
+    const double zeta = series.elevationAt(theta);
+    water.elevation[i] = zeta;
+    water.head[i] = series.headAt(theta, std::min(points.z[i], zeta));
+    water.surfaceHead[i] = series.headAt(theta, zeta);
   }
 }
 

@@ -11,6 +11,7 @@ namespace cutwater {
 /// tick.
 ///     p = ρg (H − z), ζ = r Σ a cos θ, H as SeaState::profile() has it, times the ramp r
 /// H is taken at z = ζ for points above the surface: no e^{kz} is taken higher than the water is.
+/// Of a steep wave (SeaState::steep) H and ζ are those of its series, all in double precision.
 ///
 /// Phases are in double precision, so that neither the time nor the place nor the length of a ship
 /// costs digits; cosines, exponentials and sums of sixteen waves are in single precision. Errors
@@ -84,6 +85,8 @@ class WaterPressure {
                        const Water& water) noexcept;
   static void evaluateWide(const Sea& sea, const Points& points, double near,
                            const Water& water) noexcept;
+
+  void pressSteep(double time, const Points& points, const Water& water) noexcept;
 
   SeaState sea_;
   bool wide_;

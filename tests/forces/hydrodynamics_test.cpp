@@ -49,7 +49,7 @@ TEST(Hydrodynamics, ForcesOfSingleWavesAreMadeOnceAndAreTheSame) {
   const auto sea = std::make_shared<const SeaState>(test::tableSea(5));
   const SeaTables tables(ship, sea);
   const auto exact = tables.exact(0.1, 2.0);
-  const auto following = tables.following();
+  const auto following = tables.following().front();
   EXPECT_EQ(&ship->excitation(), &ship->excitation());
   const WaveExcitation anew(ship->coefficients(), ship->form());
   const ExcitationTable table(ship->coefficients(), *sea, ForwardSpeedForm::Tuck);

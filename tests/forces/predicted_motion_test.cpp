@@ -20,7 +20,7 @@ constexpr std::size_t kBeforeWays = 14;  // numbers of a saved state
 PredictedMotion::Sums directly(const Predicted& ship, const Way& way, double t, double x,
                                double y) {
   const FreeResponse& response = ship.motion->response();
-  const ExcitationTable& table = *ship.tables->following();
+  const ExcitationTable& table = *ship.tables->following().front();
   const double U = way.through.ahead, V = way.through.leeway;
   PredictedMotion::Sums sums;
   for (std::size_t i = 0; i < ship.sea().components().size(); ++i) {

@@ -62,6 +62,29 @@ TEST(Allocation, NoneInATickOnceAllIsWarm) {
   btAlignedAllocSetCustom(nullptr, nullptr);
 }
 
+// Another sea comes and the old one goes without an allocation in any tick, once its tables are
+// made.
+TEST(Allocation, NoneWhereSeasChange) {
+  btAlignedAllocSetCustom(countedForBullet, std::free);
+  for (const Mean mean : {Mean::Fixed, Mean::Free}) {
+    TestWorld world(kSphereGravity);
+    btSphereShape shape(5);
+    Seaway seaway(world.world,
+                  SeaState({{.omega = 1.0, .amplitude = 0.5, .heading = 2.0}}, kSphereGravity));
+    seaway.addShip(hemisphere(), {.model = {.mean = mean}, .collision = {.shape = &shape}});
+    const btScalar tick = btScalar(1) / 64;
+    for (int i = 0; i < 10; ++i) world.world.stepSimulation(tick, 1, tick);
+    seaway.setSea(SeaState({{.omega = 0.8, .amplitude = 0.7, .heading = 1.0}}, kSphereGravity),
+                  2.0);
+    seaway.waitForSea();
+    const long before = allocations;
+    for (int i = 0; i < 200; ++i) world.world.stepSimulation(tick, 1, tick);
+    EXPECT_EQ(allocations - before, 0);
+    EXPECT_FALSE(seaway.seaIsChanging());
+  }
+  btAlignedAllocSetCustom(nullptr, nullptr);
+}
+
 // Bullet makes its own lists in the first ticks. Of ours there is nothing to make, neither in the
 // first tick nor in a ship that begins anew.
 TEST(Allocation, NoneOfOursInTheFirstTickNorInAReset) {

@@ -184,7 +184,7 @@ TEST(BowAngles, AreEulersWhileTheBowIsLevelAndHaveNoJumpKeelUp) {
 TEST(ShipGuard, WaveLoadsLiveAsLongAsTheirHydrodynamics) {
   const auto hydro = std::make_shared<const Hydrodynamics>(slenderShip());
   const SeaTables first(hydro, std::make_shared<const SeaState>(waves()));
-  const auto* table = first.following().get();
+  const auto* table = first.following().front().get();
   const auto* course = first.exact(0.4, 0.0).get();
   // Other heights and phases of the same waves are the same loads per metre.
   const SeaState sea = waves();
@@ -194,12 +194,12 @@ TEST(ShipGuard, WaveLoadsLiveAsLongAsTheirHydrodynamics) {
     wave.phase += 1.0;
   }
   const SeaTables second(hydro, std::make_shared<const SeaState>(higher, kSphereGravity));
-  EXPECT_EQ(second.following().get(), table);
+  EXPECT_EQ(second.following().front().get(), table);
   EXPECT_EQ(second.exact(0.4, 0.0).get(), course);
   EXPECT_NE(second.exact(0.5, 0.0).get(), course);
   higher.front().heading += 0.1;
   const SeaTables other(hydro, std::make_shared<const SeaState>(higher, kSphereGravity));
-  EXPECT_NE(other.following().get(), table);
+  EXPECT_NE(other.following().front().get(), table);
 }
 
 // Drawing.

@@ -76,6 +76,13 @@ Wrench WaveForce::evaluate(const TickInput& now) noexcept {
   return wrench;
 }
 
+void WaveForce::enterSea(WaveForce& other) noexcept {
+  other.make(madeFor_);
+  tables_.swap(other.tables_);
+  exact_.swap(other.exact_);
+  blocks_.swap(other.blocks_);
+}
+
 void WaveForce::save(std::span<double> state) const noexcept {
   state[0] = madeFor_.heading;
   state[1] = madeFor_.speed;

@@ -116,7 +116,9 @@ class LinearTheory {
  public:
   explicit LinearTheory(const SeaState& sea)
       : sea_(sea),
-        tables_(SeaTables(coarseFrigate(), std::make_shared<const SeaState>(sea)).following()) {}
+        tables_(
+            SeaTables(coarseFrigate(), std::make_shared<const SeaState>(sea)).following().front()) {
+  }
 
   struct At {
     double x, y, heading, ahead, leeway, time;
