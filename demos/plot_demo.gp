@@ -103,6 +103,11 @@ if (name eq 'steep_head_seas') {
        in every ::1 using (only(1, 0.2, only(2, 0, $4))):($5 > 0.06 ? $6 : NaN) \
          with points pt 6 lc rgb red title '1/15'
 }
+if (name eq 'storm_builds') {
+  set ylabel 'wave at G [m], roll [°]'
+  plot in every ::1 using 1:5 with lines lc rgb red title 'roll', \
+       in every ::1 using 1:14 with lines lc rgb blue title 'wave'
+}
 if (name eq 'tow') {
   set ylabel 'speed of the ship [m/s]'
   stats in every ::1 using 1 nooutput

@@ -127,7 +127,7 @@ struct PressureHull::Made {
   WettedTriangles triangles;
   WettedTriangles::State rest;
   std::vector<double> stations;
-  double distance, error;
+  double distance, edge;
 };
 
 PressureHull::Made PressureHull::make(const ShipParticulars& ship, const SeaState& sea,
@@ -150,13 +150,19 @@ PressureHull::Made PressureHull::make(const ShipParticulars& ship, const SeaStat
   const double reached = edgeOf(mesh);
   const std::vector<double> stations = stationsOf(size, reached);
   const WettedTriangles triangles(mesh, ship.cog, stations);
-  return {triangles, atRest(triangles, ship.cog), stations, thin.distance,
-          k > 0.0 ? linearPressureError(reached, k) : 0.0};
+  return {triangles, atRest(triangles, ship.cog), stations, thin.distance, reached};
+}
+
+double PressureHull::pressureErrorIn(const SeaState& sea) const noexcept {
+  const double k = waveNumberOf(sea);
+  return k > 0.0 ? linearPressureError(edge_, k) : 0.0;
 }
 
 PressureHull::PressureHull(const ShipParticulars& ship, const Mat6& addedMass, const SeaState& sea,
                            std::size_t most)
-    : PressureHull(ship, addedMass, make(ship, sea, most)) {}
+    : PressureHull(ship, addedMass, make(ship, sea, most)) {
+  pressureError_ = pressureErrorIn(sea);
+}
 
 PressureHull::PressureHull(const ShipParticulars& ship, const Mat6& addedMass, Made made)
     : triangles_(std::move(made.triangles)),
@@ -167,7 +173,7 @@ PressureHull::PressureHull(const ShipParticulars& ship, const Mat6& addedMass, M
       volume_(made.rest.volume),
       energy_(-ship.density * ship.gravity * volume_ * (made.rest.centre.z() + ship.cog.z())),
       distance_(made.distance),
-      pressureError_(made.error) {
+      edge_(made.edge) {
   const double floats = ship.density * volume_;
   if (std::abs(floats - ship.mass) > kWeightOff * ship.mass)
     warning_ = fmt::format(

@@ -51,7 +51,9 @@ class PressureHull {
   /// Largest distance between the thinned hull and the ship's own [m].
   double distance() const noexcept { return distance_; }
   /// What of the waves' pressure is missed because it is taken linear over a triangle, r.m.s. over
-  /// the sea, as a part of the waves' own; 0 in calm water.
+  /// a sea, as a part of the waves' own; 0 in calm water.
+  double pressureErrorIn(const SeaState& sea) const noexcept;
+  /// In the sea that it was made for.
   double pressureError() const noexcept { return pressureError_; }
   /// One line if the ship's weight and the hull's buoyancy at rest differ by more than a
   /// thousandth, with both numbers; else "".
@@ -65,7 +67,7 @@ class PressureHull {
   WettedTriangles triangles_;
   std::vector<double> arms_, restBeam_;
   ImmersedMass mass_;
-  double restDeck_ = 0.0, volume_ = 0.0, energy_ = 0.0, distance_ = 0.0, pressureError_ = 0.0;
+  double restDeck_ = 0.0, volume_ = 0.0, energy_ = 0.0, distance_ = 0.0, edge_ = 0.0, pressureError_ = 0.0;
   std::string warning_;
 };
 
