@@ -67,7 +67,8 @@ class PressureHull {
   WettedTriangles triangles_;
   std::vector<double> arms_, restBeam_;
   ImmersedMass mass_;
-  double restDeck_ = 0.0, volume_ = 0.0, energy_ = 0.0, distance_ = 0.0, edge_ = 0.0, pressureError_ = 0.0;
+  double restDeck_ = 0.0, volume_ = 0.0, energy_ = 0.0, distance_ = 0.0;
+  double edge_ = 0.0, pressureError_ = 0.0;
   std::string warning_;
 };
 

@@ -26,8 +26,8 @@ class SeaTables {
   /// @throws HydroError BadArgument: a null pointer.
   SeaTables(std::shared_ptr<const Hydrodynamics> hydrodynamics,
             std::shared_ptr<const SeaState> sea);
-  /// Of a sea that goes over (SeaState::goingOver): all is taken from the tables of its parts, whose
-  /// components, one after the other, are its own.
+  /// Of a sea that goes over (SeaState::goingOver): all is taken from the tables of its parts,
+  /// whose components, one after the other, are its own.
   /// @throws HydroError BadArgument: they are not, or a null pointer.
   SeaTables(std::shared_ptr<const SeaState> sea,
             std::vector<std::shared_ptr<const SeaTables>> parts);

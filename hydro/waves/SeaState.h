@@ -92,8 +92,8 @@ class SeaState {
   ///         the other no calm water, or more than kMostLayers seas would be there at once;
   ///         ValueOutOfRange: from, seconds.
   SeaState goingOver(const SeaState& next, double from, double seconds) const;
-  /// Internal: sets `from` of the last goingOver() anew, for all copies. Seaway calls it once, before
-  /// any other thread sees the sea.
+  /// Internal: sets `from` of the last goingOver() anew, for all copies. Seaway calls it once,
+  /// before any other thread sees the sea.
   void goesOverFrom(double from) const noexcept;
   static constexpr std::size_t kMostLayers = 8;
   /// Growth of component i at time t [s], 0..1: its amplitude there is that times a.

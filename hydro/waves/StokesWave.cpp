@@ -19,7 +19,8 @@ double stretch(double steepness, int order) {
   return 1.0 + 0.5 * square + (order == 2 ? 0.0 : 0.125 * square * square);
 }
 
-// k with ω = √(gk) stretch(ka), by going half of the way each time: k falls where its stretch grows.
+// k with ω = √(gk) stretch(ka), by going half of the way each time: k falls where its stretch
+// grows.
 double waveNumberFor(double omega, double amplitude, double gravity, int order) {
   double k = omega * omega / gravity;
   for (int i = 0; i < 100; ++i) {

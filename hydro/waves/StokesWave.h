@@ -10,8 +10,8 @@ namespace cutwater {
 ///     kζ  = Σ E_n cos nθ
 ///     φ   = −√(g/k³) Σ P_n e^{nkz} sin nθ,   θ = ωt − k(x cos β − y sin β) + phase
 ///     p   = −ρ(∂φ/∂t + ½|∇φ|² + gz) = ρg (H − z)
-/// Of second order E = (ε, ½ε²), P = (ε, 0), ω = √(gk) (1 + ½ε²): the second-order potential vanishes
-/// in deep water. Of fifth order the coefficients are Fenton's for infinite depth
+/// Of second order E = (ε, ½ε²), P = (ε, 0), ω = √(gk) (1 + ½ε²): the second-order potential
+/// vanishes in deep water. Of fifth order the coefficients are Fenton's for infinite depth
 /// [Fenton85, table 1, kd → ∞]:
 ///     E₁ = ε − ⅜ε³ − (422/384)ε⁵,  E₂ = ½ε² + ⅓ε⁴,  E₃ = ⅜ε³ + (297/384)ε⁵,  E₄ = ⅓ε⁴,
 ///     E₅ = (125/384)ε⁵,  P₁ = ε − ½ε³ − (37/24)ε⁵,  P₂ = ½ε⁴,  P₃ = ε⁵/12,

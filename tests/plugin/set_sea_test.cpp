@@ -87,8 +87,8 @@ double difference(const Sailing& a, const Sailing& b, const std::vector<Vec6>& s
 }
 
 // In the tick that takes the coming sea in, surface and loads are those of a ship without it, and
-// in the next one the new sea has grown to 8e-9. (From then on amplitudes of a free ship are renewed
-// at other times: PredictedMotion::follow.)
+// in the next one the new sea has grown to 8e-9. (From then on amplitudes of a free ship are
+// renewed at other times: PredictedMotion::follow.)
 TEST(SetSeaIdentity, NothingJumpsWhereItBegins) {
   for (const Kind& kind : kKinds) {
     Sailing stays(kind, irregular(2.0, 1)), changes(kind, irregular(2.0, 1));

@@ -28,8 +28,8 @@ class WaveForce final : public ForceGenerator {
     return kWaveLoadNames[static_cast<int>(load_)];
   }
   Wrench evaluate(const TickInput& now) noexcept override;
-  /// Becomes that of the sea of `other`, which was made for the same ship; `other` is left with what
-  /// this one was. Allocates nothing if it was made for the same course.
+  /// Becomes that of the sea of `other`, which was made for the same ship; `other` is left with
+  /// what this one was. Allocates nothing if it was made for the same course.
   void enterSea(WaveForce& other) noexcept;
   const Course& course() const noexcept { return madeFor_; }
   std::size_t stateSize() const noexcept override { return 2; }
