@@ -9,6 +9,7 @@
 #include "hydro/forces/PressureHull.h"
 #include "hydro/forces/linear/Radiation.h"
 #include "hydro/waves/Spectrum.h"
+#include "hydro/waves/WaterMotion.h"
 #include "hydro/waves/WaterPressure.h"
 #include "plugin/Seaway.h"
 #include "tests/bench/Rows.h"
@@ -212,6 +213,58 @@ void benchWater(std::string& csv) {
   }
 }
 
+/// What a renderer asks, a point: elevation alone, and all there is; and one point at a time.
+void benchSea(std::string& csv) {
+  constexpr std::size_t kPoints = 1024;
+  std::vector<double> x(kPoints), y(kPoints), z(kPoints, -1.0);
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    x[i] = static_cast<double>(i % 32);
+    y[i] = static_cast<double>(i / 32);
+  }
+  std::vector<double> out[7];
+  for (auto& column : out) column.resize(kPoints);
+  const SeaState waves = sea(200);
+  WaterMotion water(waves);
+  const auto bench = [&](const std::string& name, std::size_t times, const auto& work) {
+    Row row{"sea, 200 components: " + name, 1, 1};
+    row.seconds = secondsOf([&] {
+                    for (std::size_t i = 0; i < times; ++i) row.checksum += work(1e-2 * double(i));
+                  }) /
+                  static_cast<double>(times);
+    if (name.find("many") != std::string::npos) row.seconds /= kPoints;
+    add(csv, row);
+  };
+  bench("elevation of many points, a point", 200, [&](double t) {
+    water.at(t, 0.0, 0.0, {x, y, z}, {.elevation = out[0]});
+    return out[0][1];
+  });
+  bench("surface, velocity, pressure of many points, a point", 200, [&](double t) {
+    water.at(t, 0.0, 0.0, {x, y, z}, {out[0], out[1], out[2], out[3], out[4], out[5], out[6]});
+    return out[6][1];
+  });
+  bench("SeaState::elevation", 20000, [&](double t) { return waves.elevation(t, 1.0, 2.0); });
+  bench("SeaState::motion", 20000, [&](double t) {
+    return waves.motion(t, {1.0, 2.0, -1.0}).velocity.z();
+  });
+}
+
+/// The tick that takes in another sea, and the one in which the old sea goes; budget 2 ms.
+void benchSetSea(std::string& csv, const Shared& c, ShipSettings settings) {
+  settings.model.mode = HullPressure::Nonlinear;
+  Fleet fleet(c, 10, 100, settings);
+  fleet.step(10, kTick60);
+  Row comes = rowOf("setSea, 10 nonlinear ships, 100 to 200 components: the tick it comes in", c);
+  Row usual = rowOf("setSea, 10 nonlinear ships, 100 to 200 components: another tick", c);
+  fleet.seaway.setSea(sea(200), 0.5);
+  fleet.seaway.waitForSea();
+  comes.seconds = secondsOf([&] { fleet.step(1, kTick60); });
+  usual.seconds = secondsOf([&] { fleet.step(10, kTick60); }) / 10;
+  comes.budget = usual.seconds + 2e-3;
+  comes.checksum = usual.checksum = fleet.checksum();
+  add(csv, comes);
+  add(csv, usual);
+}
+
 /// One second of a fleet at 60 Hz; the floor is Bullet with as many plain bodies.
 void benchFleet(std::string& csv, const std::string& name, const Shared& c, int ships,
                 int components, const ShipSettings& settings, unsigned threads = 1) {
@@ -264,6 +317,8 @@ void benchTimeDomain(std::string& csv, const Coefficients& coefficients) {
   ShipSettings oracle = fixed;
   oracle.model.memory = MemoryModel::Convolution;
   benchWater(csv);
+  benchSea(csv);
+  benchSetSea(csv, c, free);
   benchShare(csv, "linear ship, one tick, 6 modes, 200 wave components", c, 200, 2e-6, fixed);
   benchShare(csv, "linear ship, one tick, 6 modes, regular wave", c, 1, 2e-6, fixed);
   benchShare(csv, "linear ship, one tick, free and kept, regular wave", c, 1, 0.0, free);
