@@ -67,13 +67,19 @@ RepeatTime repeatTime(const SeaState& sea, double longest) {
   const double step = kStep / std::sqrt(moments.m2 / moments.m0);
   const double affordable = kWork / static_cast<double>(correlation.components().size());
   const double last = std::min(longest, step * affordable);
+  const auto at = [&](double lag) { return correlation.elevation(lag, 0.0, 0.0); };
   bool fallen = false;
+  double before = 1.0, now = at(step);
   for (double lag = step; lag < last; lag += step) {
-    const double now = correlation.elevation(lag, 0.0, 0.0);
+    const double after = at(lag + step);
     fallen = fallen || now < 0.5;
-    if (!fallen || now < kRepeated - kStep * kStep / 8.0) continue;
-    const double best = greatestBetween(correlation, lag - step, lag + step);
-    if (correlation.elevation(best, 0.0, 0.0) >= kRepeated) return {best, longest};
+    const bool top = now >= before && now >= after;
+    if (fallen && top && now >= kRepeated - kStep * kStep / 8.0) {
+      const double best = greatestBetween(correlation, lag - step, lag + step);
+      if (at(best) >= kRepeated) return {best, longest};
+    }
+    before = now;
+    now = after;
   }
   return {kNever, last};
 }
