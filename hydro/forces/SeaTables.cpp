@@ -44,7 +44,7 @@ SeaTables::SeaTables(std::shared_ptr<const Hydrodynamics> hydrodynamics,
 }
 
 std::string SeaTables::warning() const {
-  if (beyond_.count == 0) return {};
+  if (beyond_.count == 0 || sea_->components().size() == 1) return {};
   return fmt::format(
       "omega_max = {:.6g} rad/s of the database: {} of {} waves are beyond it, {:.3g} % of m0; "
       "their "

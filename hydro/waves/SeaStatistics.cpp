@@ -9,7 +9,7 @@ namespace cutwater {
 
 namespace {
 
-constexpr double kWork = 5e8;   // cosines that a search may take: a second or two
+constexpr double kWork = 2e9;   // cosines that a search may take: some seconds
 constexpr double kStep = 0.25;  // of a search [rad] of the mean frequency √(m2/m0)
 
 // R(τ), as the elevation of a sea in the origin.
@@ -57,8 +57,8 @@ SeaMoments momentsOf(const SeaState& sea) {
   return sum;
 }
 
-// About a return R falls like 1 − (m2/m0) δ²/2: half a step beside it no more than kStep²/8 is
-// lost.
+// About a return R falls like 1 − (m2/m0) δ²/2: half a step beside it no more than 1/128 is
+// lost, the square of kStep over 8.
 RepeatTime repeatTime(const SeaState& sea, double longest) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const SeaMoments moments = momentsOf(sea);

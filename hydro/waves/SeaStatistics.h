@@ -29,9 +29,9 @@ inline constexpr double kRepeated = 0.95;
 ///     R(τ) = Σ a² cos ωτ / Σ a²,
 /// has a maximum of kRepeated or more, after it was below 1/2: 2π/ω of one wave, 2π/Δω of waves of
 /// equal steps. Waves at random frequencies have R of the order of √(Σ a⁴/2)/Σ a² at long lags, 0.1
-/// of 200 waves of Jonswap, and come to 0.95 practically never. Searched up to `longest` seconds, or
-/// as far as some seconds of computing go: 40 minutes of a sea of 100 000 waves. Infinite in calm
-/// water.
+/// of 200 waves of Jonswap, and come to 0.95 practically never. Searched up to `longest` seconds,
+/// or as far as some seconds of computing go: an hour and a half of a sea of 100 000 waves.
+/// Infinite in calm water.
 RepeatTime repeatTime(const SeaState& sea, double longest = 86400.0);
 
 }  // namespace cutwater

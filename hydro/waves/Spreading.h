@@ -4,7 +4,8 @@
 namespace cutwater {
 
 /// How the energy of a short-crested sea lies about its mean direction, ∫D dθ = 1.
-///   Cos2s  D(θ) = 2^{2s−1} Γ²(s+1)/(π Γ(2s+1)) cos^{2s}(θ/2), |θ| ≤ π  [Longuet-Higgins et al. 1963]
+///   Cos2s  D(θ) = 2^{2s−1} Γ²(s+1)/(π Γ(2s+1)) cos^{2s}(θ/2), |θ| ≤ π
+///                                                                [Longuet-Higgins et al. 1963]
 ///   CosN   D(θ) = Γ(n/2+1)/(√π Γ(n/2+1/2)) cosⁿ θ, |θ| < π/2           [ITTC: n = 2 or 4]
 /// What other programs call cos^{2s} θ is CosN with n = 2s.
 enum class SpreadingLaw { Cos2s, CosN };

@@ -45,8 +45,8 @@ void readRegular(TomlSection& waves, RunFile& run) {
 }
 
 constexpr const char* kDeep =
-    "the theory is for deep water; leave it out. Where the water is less deep than half a wave's "
-    "length, real waves are shorter and steeper, and so are their loads on a ship other";
+    "waves and ships are those of deep water; leave it out. In water less deep than half a wave's "
+    "length real waves of this period are shorter and steeper, and their loads are not these";
 
 bool isSpectrum(const std::string& type) {
   return fromName<SpectrumShape>(kSpectrumNames, type).has_value();

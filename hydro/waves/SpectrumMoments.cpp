@@ -1,8 +1,7 @@
-#include "hydro/waves/Spectrum.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "hydro/waves/Spectrum.h"
 #include "hydro/waves/UnitSpectrum.h"
 
 namespace cutwater {
