@@ -27,7 +27,7 @@ namespace cutwater {
 ///                     above; A is JonswapNormalisation                [Hasselmann et al. 1973]
 ///   OchiHubble        one of a family of eleven that hs alone chooses: a swell and a wind sea,
 ///                     S = (1/4) Σ_j ((4λ_j + 1)/4 ω_j⁴)^λ_j/Γ(λ_j) hs_j²/ω^{4λ_j + 1}
-///                         e^{−(4λ_j + 1)/4 (ω_j/ω)⁴}                    [Ochi & Hubble 1976]
+///                         e^{−(4λ_j + 1)/4 (ω_j/ω)⁴}                    [OchiHubble76]
 ///                     Its published shares hs_1² + hs_2² are 0.995 to 1.006 of hs²; both are
 ///                     scaled here, so that m0 = hs²/16.
 ///   Table             straight lines between given points, 0 beyond them. It has its own hs.

@@ -69,8 +69,8 @@ RunFile readRunFile(const std::string& path, Mean usual, RunUse use = RunUse::Ru
 /// @throws HydroError.
 Coefficients readShipOfRun(RunFile& run);
 
-/// Warns of waves steeper than waves are, of a height that is not hs, and of cut-offs that leave out
-/// more than 2 % of m0.
+/// Warns of waves steeper than waves are, of a height that is not hs, and of cut-offs that leave
+/// out more than 2 % of m0.
 void warnOfSea(const RunFile& run, double gravity);
 
 }  // namespace cutwater::command
