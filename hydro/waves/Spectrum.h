@@ -53,6 +53,8 @@ struct SpectrumTable {
 /// @throws HydroError FileNotReadable; FileMalformed naming file, line and value.
 SpectrumTable readSpectrumTable(const std::string& path);
 
+/// Its functions throw HydroError ValueOutOfRange, naming a field that is out of range and its
+/// value. S of Jonswap costs some hundred exponentials each time, for its A.
 struct Spectrum {
   SpectrumShape shape = SpectrumShape::Jonswap;
   double hs = 3.0;     ///< significant wave height [m] ≥ 0; not of Table
