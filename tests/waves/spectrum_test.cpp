@@ -152,7 +152,7 @@ std::vector<Spectrum> oneOfEach() {
 }
 
 // 1e-12: round-off of 10 000 squares.
-TEST(SeaStateIdentityOfSpectra, HeightIsWhatWasAskedForWhateverTheNumberOfWaves) {
+TEST(RealisedSeaIdentity, HeightIsWhatWasAskedForWhateverTheNumberOfWaves) {
   for (const Spectrum& spectrum : oneOfEach()) {
     for (const int count : {1, 2, 7, 200, 10000}) {
       for (const double last : {0.0, 1.1}) {
@@ -170,7 +170,7 @@ TEST(SeaStateIdentityOfSpectra, HeightIsWhatWasAskedForWhateverTheNumberOfWaves)
 
 // Between the same limits the components' moments are the spectrum's, to the width of a bin: a
 // place is drawn within it, so that the error is of the order of width/√count.
-TEST(SeaStateIdentityOfSpectra, MomentsAreThoseOfTheSpectrum) {
+TEST(RealisedSeaIdentity, MomentsAreThoseOfTheSpectrum) {
   const Spectrum s{.hs = 2.0};
   const SeaState sea = makeSeaState(s, {.components = 20000, .omegaMin = 0.2, .omegaMax = 20.0});
   const SeaMoments found = momentsOf(sea);
