@@ -231,6 +231,10 @@ class Ship {
   /// Mean time of one evaluation [ns], in the order of parts(); 0 where nothing was timed.
   std::vector<double> costs() const;
 
+  /// One line on waves of this sea that are shorter than the database has forces for, whose linear
+  /// loads are left out, with their number and share of the sea's energy; empty if there are none.
+  std::string seaWarning() const;
+
   // Autopilots. Orders may change at any time between ticks.
   // @throws HydroError ValueOutOfRange, naming field, value and bounds; the order before stays.
   void keepSpeed(const SpeedKeeper& order);

@@ -215,6 +215,8 @@ void Ship::switchOff(const std::vector<std::string>& names) {
 
 bool Ship::enabled(std::string_view part) const { return parts_[indexOf(part)].active(); }
 
+std::string Ship::seaWarning() const { return tables_->warning(); }
+
 std::string Ship::brokenPart() {
   const std::string name = broken_ < parts_.size() ? parts_[broken_].name : "";
   broken_ = kNone;

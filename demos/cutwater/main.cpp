@@ -34,6 +34,7 @@ struct Arguments {
   command::RunColumns columns;
   command::NewOptions made;
   bool force = false;
+  bool moments = false;
 };
 
 CLI::App* command(CLI::App& app, const std::string& name, const std::string& what,
@@ -299,6 +300,28 @@ void addRuns(CLI::App& app, Arguments& a) {
   });
 }
 
+void addSea(CLI::App& app, Arguments& a) {
+  CLI::App* sub = command(
+      app, "sea",
+      "The waves that a run's sea is made of, as CSV; on stderr each system in words, and when "
+      "the\n"
+      "sea repeats. Phases are about the crest at the origin at t = 0; headings are relative to "
+      "the\n"
+      "ship's first course. Rows are what type = \"components\" takes, with direction_deg for\n"
+      "heading_deg. Deep water is the theory. The run file needs no database",
+      "sea run.toml --moments");
+  sub->add_option("run", a.input, "RUN.toml")->required();
+  sub->add_flag(
+      "--moments", a.moments,
+      "instead: hs, m0, m1, m2, tz, tm01 of these waves, repeat_time, and share_outside,\n"
+      "the share of m0 that the cut-offs leave out");
+  output(sub, a);
+  sub->callback([&a] {
+    checkFiles(a);
+    command::sea(a.input, a.moments, a.out);
+  });
+}
+
 void addReport(CLI::App& app, Arguments& a) {
   CLI::App* sub = command(
       app, "report",
@@ -374,6 +397,7 @@ int main(int argc, char** argv) {
   addStillWater(app, arguments);
   addTables(app, arguments);
   addRuns(app, arguments);
+  addSea(app, arguments);
   addReport(app, arguments);
   try {
     refuseEmpty(argc, argv);

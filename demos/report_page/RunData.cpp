@@ -36,6 +36,34 @@ std::string csvBeside(const std::string& toml) {
   return csv;
 }
 
+std::string spectrumText(const Spectrum& s) {
+  const std::string hs = fmt::format("Hs {:.4g} m, ", s.significantHeight());
+  const std::string tp = fmt::format("Tp {:.4g} s", 2.0 * kPi / s.peakFrequency());
+  switch (s.shape) {
+    case SpectrumShape::Jonswap:
+      return "JONSWAP, " + hs + tp;
+    case SpectrumShape::Bretschneider:
+      return "Bretschneider, " + hs + tp;
+    case SpectrumShape::PiersonMoskowitz:
+      return "Pierson-Moskowitz, " + hs + tp;
+    case SpectrumShape::OchiHubble:
+      return fmt::format("Ochi-Hubble, member {}, ", s.member) + hs + tp;
+    case SpectrumShape::Table:
+      break;
+  }
+  return "a spectrum of the run file's own, " + hs + tp;
+}
+
+std::string systemText(const SeaSystem& system) {
+  std::string text = spectrumText(system.spectrum) +
+                     fmt::format(", from {:.4g} deg", system.settings.heading * kDegrees);
+  const bool half = system.settings.law == SpreadingLaw::Cos2s;
+  if (system.settings.spreading > 0.0)
+    text += fmt::format(", spread by {} = {:.4g}", half ? "cos^2s, s" : "cos^n, n",
+                        system.settings.spreading);
+  return text;
+}
+
 // The report's words for the sea of a run.
 std::string seaText(const command::RunFile& run) {
   const std::string from = fmt::format("from {:.4g} deg", run.heading * kDegrees);
@@ -51,24 +79,20 @@ std::string seaText(const command::RunFile& run) {
     case command::RunFile::Waves::Spectrum:
       break;
   }
-  const Spectrum& s = run.spectrum;
-  const char* shape = s.shape == SpectrumShape::Jonswap         ? "JONSWAP"
-                      : s.shape == SpectrumShape::Bretschneider ? "Bretschneider"
-                                                                : "Pierson-Moskowitz";
-  std::string text = fmt::format("{}, Hs {:.4g} m, Tp {:.4g} s, {}", shape, s.hs,
-                                 2.0 * kPi / s.peakFrequency(), from);
-  if (run.sea.spreading > 0.0)
-    text += fmt::format(", spread by cos^2s, s = {:.4g}", run.sea.spreading);
+  std::string text;
+  for (const SeaSystem& system : run.systems)
+    text += (text.empty() ? "" : "; and ") + systemText(system);
   return text;
 }
 
 void seaJson(Json& json, const command::RunFile& run, double gravity) {
   const SeaState sea = run.seaState(gravity);
-  const bool spectrum = run.waves == command::RunFile::Waves::Spectrum;
   json.beginObject().field("text", seaText(run));
-  if (spectrum) {
-    json.field("hs", run.spectrum.hs).field("tp", 2.0 * kPi / run.spectrum.peakFrequency());
-    if (run.spectrum.shape == SpectrumShape::Jonswap) json.field("gamma", run.spectrum.gamma);
+  if (run.systems.size() == 1) {
+    Spectrum of = run.systems.front().spectrum;
+    of.gravity = gravity;
+    json.field("hs", of.significantHeight()).field("tp", 2.0 * kPi / of.peakFrequency());
+    if (of.shape == SpectrumShape::Jonswap) json.field("gamma", of.gamma);
   }
   json.field("ramp", run.sea.ramp);
   const auto column = [&](const char* name, double WaveComponent::*part) {
@@ -142,7 +166,7 @@ ShownRun readShownRun(const std::string& path, const std::string& database,
   run.file = command::readRunFile(path, sweep ? Mean::Fixed : Mean::Free, command::RunUse::Show);
   if (run.file.database.empty()) {
     run.file.database = database;
-    command::cutSpectrum(run.file, coefficients);
+    command::warnOfSea(run.file, coefficients.ship.gravity);
     return run;
   }
   std::error_code none;

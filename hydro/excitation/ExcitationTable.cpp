@@ -52,10 +52,13 @@ Eigen::MatrixXd directions(Eigen::MatrixXd columns, double error, std::size_t mo
   return basis;
 }
 
-/// ω_I of the grid: each component's own if they are few, else steps of half a radian of phase.
-std::vector<double> gridFrequencies(const SeaState& sea, double length) {
+/// ω_I of the grid, up to `highest`: each component's own if they are few, else steps of half a
+/// radian of phase.
+std::vector<double> gridFrequencies(const SeaState& sea, double length, double highest) {
   std::vector<double> own;
-  for (const WaveComponent& wave : sea.components()) own.push_back(wave.omega);
+  for (const WaveComponent& wave : sea.components()) {
+    if (wave.omega <= highest) own.push_back(wave.omega);
+  }
   std::sort(own.begin(), own.end());
   own.erase(std::unique(own.begin(), own.end()), own.end());
   std::vector<double> grid;
@@ -83,7 +86,8 @@ ExcitationTable::ExcitationTable(const WaveExcitation& direct, const SeaState& s
       form_(direct.form()),
       symmetric_(direct.coefficients().ship.symmetric),
       hasVectors_(!direct.coefficients().adjoint.empty() && !direct.panels().panels.empty()),
-      length_(direct.panels().panels.empty() ? 1.0 : direct.coefficients().ship.length()) {
+      length_(direct.panels().panels.empty() ? 1.0 : direct.coefficients().ship.length()),
+      lastOmega_(direct.lastOmega()) {
   if (sea.components().empty()) return;
   const CoefficientTables& c = direct.coefficients();
   checkComponents(c);
@@ -100,15 +104,12 @@ ExcitationTable::ExcitationTable(const WaveExcitation& direct, const SeaState& s
 void ExcitationTable::checkComponents(const CoefficientTables& c) const {
   if (c.omega.empty())
     throw HydroError(Fault::DatabaseIncomplete, "ExcitationTable: the database has no frequencies");
-  for (std::size_t i = 0; i < sea_.components().size(); ++i) {
-    const double omega = sea_.components()[i].omega;
-    if (omega <= c.omega.back() * (1.0 + 1e-9)) continue;
-    throw HydroError(
-        Fault::ValueOutOfRange,
-        fmt::format("ExcitationTable: wave component {}: omega = {:.6g} rad/s is above "
-                    "the database's last, {:.6g}",
-                    i, omega, c.omega.back()));
-  }
+  if (sea_.components().size() > 1 || known(sea_.components().front().omega)) return;
+  throw HydroError(
+      Fault::ValueOutOfRange,
+      fmt::format("ExcitationTable: wave component 0: omega = {:.6g} rad/s is above the database's "
+                  "last, {:.6g}",
+                  sea_.components().front().omega, lastOmega_));
 }
 
 void ExcitationTable::makeVectors(const CoefficientTables& c) {
@@ -184,7 +185,7 @@ void ExcitationTable::project(const Coefficients::AdjointVectors& b,
 void ExcitationTable::makeRows(const WaveExcitation& direct) {
   const ShipParticulars& ship = direct.coefficients().ship;
   std::size_t size = 0;
-  rowOmega_ = gridFrequencies(sea_, length_);
+  rowOmega_ = gridFrequencies(sea_, length_, lastOmega_);
   for (const double omega : rowOmega_) {
     const double reach = reachOf(omega, length_, sea_.gravity());
     const auto half = static_cast<std::size_t>(std::ceil(kPi * (reach / phaseStep(reach) + 4.0)));
@@ -252,10 +253,15 @@ double ExcitationTable::measureError(const WaveExcitation& direct) const {
   const bool moving =
       hasVectors_ && (form_ == ForwardSpeedForm::Tuck || !direct.coefficients().adjointX.empty());
   Eigen::Array<double, 6, 1> worst = Eigen::Array<double, 6, 1>::Zero(), largest = worst;
+  std::vector<double> omegas;
+  for (const WaveComponent& wave : sea_.components()) {
+    if (known(wave.omega)) omegas.push_back(wave.omega);
+  }
+  if (omegas.empty()) return 0.0;
   constexpr int kPoints = 48;
   for (int i = 0; i < kPoints; ++i) {
-    const auto at = static_cast<std::size_t>(i) * (sea_.components().size() - 1) / (kPoints - 1);
-    const double omega = sea_.components()[at].omega, beta = 2.399963229728653 * i;
+    const auto at = static_cast<std::size_t>(i) * (omegas.size() - 1) / (kPoints - 1);
+    const double omega = omegas[at], beta = 2.399963229728653 * i;
     double speed = moving ? 0.37 * (i % 41) : 0.0;
     const double met = Encounter(omega, speed, beta, sea_.gravity()).frequency();
     if (!hasInfinity_ && met > last_) speed = 0.0;  // nothing to compare with

@@ -29,8 +29,9 @@ class ExcitationTable {
   };
 
   /// @param direct  forces of the same ship one by one, which need only live for this call.
-  /// @throws HydroError ValueOutOfRange, naming the component, above the database's last frequency;
-  ///         as WaveExcitation::at for a database without adjoint vectors, whose tables must hold
+  /// Components above WaveExcitation::lastOmega have no force: 0 (SeaTables::beyond says how many).
+  /// @throws HydroError ValueOutOfRange for a sea of one wave, if it is such a component; as
+  ///         WaveExcitation::at for a database without adjoint vectors, whose tables must hold
   ///         all headings and whose diffraction is that at rest at every speed.
   ExcitationTable(const WaveExcitation& direct, const SeaState& sea);
   /// @param form  of the forward-speed terms.
@@ -66,6 +67,7 @@ class ExcitationTable {
   /// Which directions a mode sees: 0 even (all of an unsymmetric hull), 1 odd.
   std::size_t parityOf(int mode) const noexcept { return symmetric_ && mode % 2 == 1 ? 1 : 0; }
   void checkComponents(const CoefficientTables& c) const;
+  bool known(double omega) const noexcept { return omega <= lastOmega_; }
   void makeVectors(const CoefficientTables& c);
   void makeBasis(const std::vector<Coefficients::AdjointVectors>& b,
                  const std::vector<Coefficients::AdjointVectors>& bx);
@@ -92,6 +94,7 @@ class ExcitationTable {
   ForwardSpeedForm form_;
   bool symmetric_ = false, hasVectors_ = false;
   double length_ = 1.0;
+  double lastOmega_ = 0.0;                // ω_I of the last wave that has a force
   std::array<Eigen::MatrixXd, 2> basis_;  // panels × directions, even and odd
   std::array<std::size_t, 2> rank_{};
   std::size_t width_ = 12;        // F_I, then Re q, Im q of both parities; or F_D at rest

@@ -140,12 +140,14 @@ CVec6 ExcitationTable::diffractionOf(double omega, double beta, double speed,
 
 CVec6 ExcitationTable::froudeKrylov(std::size_t component, double course) const noexcept {
   const WaveComponent& wave = sea_.components()[component];
+  if (!known(wave.omega)) return CVec6::Zero();
   return froudeKrylovOf(wave.omega, wave.heading + course);
 }
 
 CVec6 ExcitationTable::diffraction(std::size_t component, double course, double speed,
                                    double leeway) const noexcept {
   const WaveComponent& wave = sea_.components()[component];
+  if (!known(wave.omega)) return CVec6::Zero();
   return diffractionOf(wave.omega, wave.heading + course, speed, leeway);
 }
 

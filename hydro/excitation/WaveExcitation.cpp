@@ -138,6 +138,14 @@ CVec6 WaveExcitation::froudeKrylov(double omegaI, double heading) const {
   return froudeKrylovForce(faces_, wave, ship.cog, ship.density) + lacking_.force(wave);
 }
 
+double WaveExcitation::lastOmega() const noexcept {
+  const CoefficientTables& c = coefficients_;
+  if (c.omega.empty()) return HUGE_VAL;
+  const auto& table = c.diffractionTable.waveOmega;
+  const bool ends = c.adjoint.empty() && !table.empty();
+  return (1.0 + 1e-9) * (ends ? std::min(table.back(), c.omega.back()) : c.omega.back());
+}
+
 CVec6 WaveExcitation::fromVectors(const AiryWave& wave, double speed) const {
   const CoefficientTables& c = coefficients_;
   const Encounter met(wave, speed);

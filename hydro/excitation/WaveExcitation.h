@@ -47,6 +47,9 @@ class WaveExcitation {
   Force at(double omegaI, double heading, double speed = 0.0) const;
   /// F_I alone; it does not depend on the speed.   @throws as at().
   CVec6 froudeKrylov(double omegaI, double heading) const;
+  /// The highest ω_I [rad/s] that at() answers to: the database's last frequency, or what its
+  /// tables of excitation have. Infinite of a database without frequencies, which at() refuses.
+  double lastOmega() const noexcept;
   const CoefficientTables& coefficients() const noexcept { return coefficients_; }
   ForwardSpeedForm form() const noexcept { return form_; }
   /// The solver's panels and their surface without gaps; no panels if the database has none.

@@ -1,5 +1,7 @@
 #include "hydro/forces/SeaTables.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 
@@ -13,6 +15,24 @@
 
 namespace cutwater {
 
+namespace {
+
+WavesBeyond wavesBeyond(const SeaState& sea, double lastOmega) {
+  WavesBeyond beyond{.lastOmega = lastOmega};
+  double all = 0.0, left = 0.0;
+  for (const WaveComponent& wave : sea.components()) {
+    const double energy = wave.amplitude * wave.amplitude;
+    all += energy;
+    if (wave.omega <= lastOmega) continue;
+    ++beyond.count;
+    left += energy;
+  }
+  beyond.share = left > 0.0 ? left / all : 0.0;
+  return beyond;
+}
+
+}  // namespace
+
 SeaTables::SeaTables(std::shared_ptr<const Hydrodynamics> hydrodynamics,
                      std::shared_ptr<const SeaState> sea)
     : hydro_(std::move(hydrodynamics)), sea_(std::move(sea)) {
@@ -20,6 +40,16 @@ SeaTables::SeaTables(std::shared_ptr<const Hydrodynamics> hydrodynamics,
     throw HydroError(Fault::BadArgument, "SeaTables: no hydrodynamics or no sea (null pointer)");
   }
   cache_ = hydro_->cacheOf(*sea_);
+  beyond_ = wavesBeyond(*sea_, hydro_->excitation().lastOmega());
+}
+
+std::string SeaTables::warning() const {
+  if (beyond_.count == 0 || sea_->components().size() == 1) return {};
+  return fmt::format(
+      "omega_max = {:.6g} rad/s of the database: {} of {} waves are beyond it, {:.3g} % of m0; "
+      "their "
+      "linear wave loads are left out (in nonlinear mode their undisturbed pressure still acts)",
+      beyond_.lastOmega, beyond_.count, sea_->components().size(), 100.0 * beyond_.share);
 }
 
 SeaTables::SeaTables(std::shared_ptr<const SeaState> sea,
@@ -30,6 +60,7 @@ SeaTables::SeaTables(std::shared_ptr<const SeaState> sea,
   if (!sea_ || parts_.empty() || !parts_.front() || components != sea_->components().size())
     throw HydroError(Fault::BadArgument, "SeaTables: the parts are not those of the sea");
   hydro_ = parts_.front()->hydrodynamics();
+  beyond_ = wavesBeyond(*sea_, hydro_->excitation().lastOmega());
 }
 
 SeaTables::~SeaTables() = default;
@@ -71,6 +102,10 @@ CourseForces forcesOn(const Hydrodynamics& hydro, const SeaState& sea, double he
   forces.components.resize(sea.components().size());
   parallelFor(forces.components.size(), 0, [&](std::size_t i) {
     const WaveComponent& wave = sea.components()[i];
+    if (forces.components.size() > 1 && wave.omega > excitation.lastOmega()) {
+      forces.components[i] = {CVec6::Zero(), CVec6::Zero()};
+      return;
+    }
     try {
       const auto force = excitation.at(wave.omega, wave.heading + heading, speed);
       forces.components[i] = {force.froudeKrylov, force.diffraction};

@@ -58,6 +58,10 @@ class Keys(unittest.TestCase):
         else:
             if kind:
                 text += f'type = "{kind}"\n'
+            if kind == "table" and not line.startswith("file"):
+                with open(os.path.join(self.folder, "s.csv"), "w", encoding="utf-8") as out:
+                    out.write("omega,S\n0.5,1\n1.5,0\n")
+                text += 'file = "s.csv"\n'
             if kind == "regular" and not line.startswith("omega"):
                 text += "omega = 1.0\n"
             if table == "body":
@@ -94,6 +98,7 @@ class Keys(unittest.TestCase):
                     continue
                 with self.subTest(file=file, table=table, key=key):
                     whole = key in ("panels", "substeps", "order", "components", "seed",
+                                    "member",
                                     "hull_triangles")
                     beyond = "9000000000000" if whole else "9e90"
                     said = self.refusal(file, table, kind, f"{key} = {beyond}")

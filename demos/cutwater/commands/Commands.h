@@ -69,6 +69,8 @@ struct RunColumns {
   bool wetted = false;  ///< what of the hull is wet; nonlinear mode only
 };
 void simulate(const std::string& run, const RunColumns& columns, const std::string& out);
+/// The components of a run's sea, or what they amount to.
+void sea(const std::string& run, bool moments, const std::string& out);
 void sweep(const std::string& run, int threads, const std::string& out);
 /// One page of a database and of runs, RUN.toml each, written to `out`; its data alone, as JSON, if
 /// `out` ends in ".json".

@@ -182,6 +182,8 @@ void simulate(const std::string& path, const RunColumns& columns, const std::str
   RunShip& world = *made;
   for (const std::string& line : hullWarnings(run, {hullNotes(world.ship())}))
     warn(run.path + ": " + line);
+  if (const std::string line = world.ship().seaWarning(); !line.empty())
+    warn(run.path + ": [waves] " + line);
   requireWetted(run, columns, world.ship());
   world.ship().measureCosts(columns.forces);
   Recorder recorder(world.seaway(), world.ship(),

@@ -9,6 +9,7 @@
 #include "demos/cutwater/input/Toml.h"
 #include "demos/cutwater/output/Messages.h"
 #include "hydro/Errors.h"
+#include "hydro/base/EnumNames.h"
 #include "hydro/database/CoefficientsFile.h"
 
 namespace cutwater::command {
@@ -43,27 +44,73 @@ void readRegular(TomlSection& waves, RunFile& run) {
   }
 }
 
-void readSpectrum(TomlSection& waves, const std::string& type, RunFile& run) {
-  run.waves = RunFile::Waves::Spectrum;
-  run.spectrum.shape = type == "jonswap"         ? SpectrumShape::Jonswap
-                       : type == "bretschneider" ? SpectrumShape::Bretschneider
-                                                 : SpectrumShape::PiersonMoskowitz;
-  const bool developed = type == "pierson-moskowitz";
-  run.spectrum.hs = waves.number("hs", run.spectrum.hs, 0.0, 100.0);
-  run.spectrum.tp = waves.number("tp", developed ? 0.0 : run.spectrum.tp, 0.1, 1000.0);
-  if (type == "jonswap") run.spectrum.gamma = waves.number("gamma", run.spectrum.gamma, 1.0, 20.0);
-  run.sea.spreading = waves.number("spreading", 0.0, 0.0, 1000.0);
-  run.sea.components = waves.integer("components", run.sea.components, 1, 100000);
-  run.sea.seed = static_cast<std::uint64_t>(waves.integer("seed", 1, 0, 2147483647));
-  run.sea.omegaMin = waves.number("omega_min", 0.0, 1e-3, 100.0);
-  run.sea.omegaMax = waves.number("omega_max", 0.0, 1e-3, 100.0);
-  const auto [from, to] = cutOffs(run.spectrum, run.sea);
+constexpr const char* kDeep =
+    "waves and ships are those of deep water; leave it out. In water less deep than half a wave's "
+    "length real waves of this period are shorter and steeper, and their loads are not these";
+
+bool isSpectrum(const std::string& type) {
+  return fromName<SpectrumShape>(kSpectrumNames, type).has_value();
+}
+
+// What belongs to one shape alone.
+void readShape(TomlSection& waves, Spectrum& spectrum) {
+  const SpectrumShape shape = spectrum.shape;
+  if (shape == SpectrumShape::Table) {
+    if (!waves.has("file")) waves.refuse("file", "is missing; a CSV file with columns omega,S");
+    spectrum.table = readSpectrumTable(waves.file("file"));
+    return;
+  }
+  spectrum.hs = waves.number("hs", spectrum.hs, 0.0, 100.0);
+  if (shape == SpectrumShape::OchiHubble) {
+    spectrum.member = waves.integer("member", 0, 0, 10);
+    return;
+  }
+  const bool developed = shape == SpectrumShape::PiersonMoskowitz;
+  spectrum.tp = waves.number("tp", developed ? 0.0 : spectrum.tp, 0.1, 1000.0);
+  if (shape != SpectrumShape::Jonswap) return;
+  spectrum.gamma = waves.number("gamma", spectrum.gamma, 1.0, 20.0);
+  spectrum.normalisation =
+      waves.choice("normalisation", kNormalisationNames, spectrum.normalisation);
+}
+
+void requireCutOffs(const TomlSection& waves, const SeaSystem& system) {
+  const auto [from, to] = cutOffs(system.spectrum, system.settings);
   if (from < to) return;
   const bool ownMin = waves.has("omega_min"), ownMax = waves.has("omega_max");
   if (ownMax)
     waves.refuse("omega_max", fmt::format("must be above omega_min{} {:.4g} rad/s",
                                           ownMin ? " =" : ", of itself", from));
   waves.refuse("omega_min", fmt::format("must be below omega_max, of itself {:.4g} rad/s", to));
+}
+
+void readSystem(TomlSection& waves, const std::string& type, double heading, RunFile& run) {
+  SeaSystem system;
+  system.spectrum.shape = *fromName<SpectrumShape>(kSpectrumNames, type);
+  readShape(waves, system.spectrum);
+  SeaStateSettings& sea = system.settings;
+  sea.heading = heading;
+  sea.spreading = waves.number("spreading", 0.0, 0.0, 1000.0);
+  sea.law = waves.choice("spreading_law", kSpreadingNames, sea.law);
+  sea.components = waves.integer("components", sea.components, 1, 100000);
+  sea.seed = static_cast<std::uint64_t>(waves.integer("seed", 1, 0, 2147483647));
+  sea.omegaMin = waves.number("omega_min", 0.0, 1e-3, 100.0);
+  sea.omegaMax = waves.number("omega_max", 0.0, 1e-3, 100.0);
+  requireCutOffs(waves, system);
+  run.systems.push_back(std::move(system));
+}
+
+// Each with its own heading; the usual kind is JONSWAP.
+void readSystems(TomlSection& waves, RunFile& run) {
+  for (TomlSection item : waves.tables("systems")) {
+    const std::string type =
+        item.text("type", "jonswap", {kSpectrumNames.begin(), kSpectrumNames.end()});
+    const double heading = item.has("heading_deg")
+                               ? radians(item.number("heading_deg", 0.0, -kTurn, kTurn), 360.0)
+                               : run.heading;
+    if (item.holds("depth")) item.refuse("depth", kDeep);
+    readSystem(item, type, heading, run);
+    item.finish();
+  }
 }
 
 void readComponents(TomlSection& waves, RunFile& run) {
@@ -86,16 +133,22 @@ void readComponents(TomlSection& waves, RunFile& run) {
 }
 
 void readWaves(TomlSection waves, RunFile& run) {
-  const std::string type = waves.text(
-      "type", "none",
-      {"regular", "jonswap", "bretschneider", "pierson-moskowitz", "components", "none"});
+  std::vector<std::string> types{"none", "regular", "components"};
+  types.insert(types.end(), kSpectrumNames.begin(), kSpectrumNames.end());
+  const std::string type = waves.text("type", "none", types);
+  if (waves.holds("depth")) waves.refuse("depth", kDeep);
   run.sea.ramp = waves.number("ramp", 20.0, 0.0, 1e5);
+  const bool single = type == "regular" || type == "components";
+  if (single && waves.has("systems"))
+    waves.refuse("systems", "is for seas of spectra, not for type = \"" + type + "\"");
   if (type == "regular") {
     readRegular(waves, run);
   } else if (type == "components") {
     readComponents(waves, run);
-  } else if (type != "none") {
-    readSpectrum(waves, type, run);
+  } else {
+    if (isSpectrum(type)) readSystem(waves, type, run.heading, run);
+    readSystems(waves, run);
+    if (!run.systems.empty()) run.waves = RunFile::Waves::Spectrum;
   }
   run.sea.profile = waves.choice("profile", kWaveProfileNames, run.usualProfile());
   waves.finish();
@@ -190,7 +243,8 @@ RunFile readRunFile(const std::string& path, Mean usual, RunUse use) {
   }
   run.path = path;
   TomlSection& root = file.root();
-  const bool ship = use == RunUse::Run || root.has("database") || !root.has("body");
+  const bool ship =
+      use == RunUse::Run || root.has("database") || (use == RunUse::Show && !root.has("body"));
   if (ship && !root.has("database"))
     root.refuse("database", "is missing; make one with `cutwater solve`");
   if (ship) run.database = root.file("database");
@@ -215,11 +269,17 @@ SeaState RunFile::seaState(double gravity, std::size_t index) const {
     case Waves::Spectrum:
       break;
   }
-  Spectrum shape = spectrum;
-  shape.gravity = gravity;
-  SeaStateSettings settings = sea;
-  settings.heading = heading;
-  return makeSeaState(shape, settings);
+  return makeSeaState(systemsAt(gravity));
+}
+
+std::vector<SeaSystem> RunFile::systemsAt(double gravity) const {
+  std::vector<SeaSystem> all = systems;
+  for (SeaSystem& system : all) {
+    system.spectrum.gravity = gravity;
+    system.settings.ramp = sea.ramp;
+    system.settings.profile = sea.profile;
+  }
+  return all;
 }
 
 double RunFile::highestOmega(double gravity) const {
@@ -237,35 +297,7 @@ namespace {
   throw HydroError(Fault::ValueOutOfRange, run.path + ": " + what);
 }
 
-// The highest wave frequency that the database has an answer to.
-double lastWaveOmega(const Coefficients& c) {
-  const auto& table = c.diffractionTable.waveOmega;
-  const bool ends = c.adjoint.empty() && !table.empty();
-  return ends ? std::min(table.back(), c.omega.back()) : c.omega.back();
-}
-
 }  // namespace
-
-// A spectrum has no end of its own: where none is given, the database's is taken.
-void cutSpectrum(RunFile& run, const Coefficients& c) {
-  if (run.waves != RunFile::Waves::Spectrum) return;
-  run.spectrum.gravity = c.ship.gravity;
-  const auto [from, to] = cutOffs(run.spectrum, run.sea);
-  const double last = lastWaveOmega(c);
-  if (to <= last * (1.0 + 1e-9)) return;
-  if (run.sea.omegaMax > 0.0)
-    refuse(run, fmt::format("[waves] omega_max = {:.6g}: {} ends at {:.6g} rad/s", to, run.database,
-                            last));
-  if (from >= last)
-    refuse(run, fmt::format("[waves] tp = {:.4g}: waves of this sea begin at {:.4g} rad/s, {} ends "
-                            "at {:.6g}",
-                            2.0 * kPi / run.spectrum.peakFrequency(), from, run.database, last));
-  run.sea.omegaMax = last;
-  warn(
-      fmt::format("{}: [waves] omega_max is {:.6g} rad/s, where {} ends, instead of {:.4g}: {:.3g} "
-                  "% of the sea's energy is left out",
-                  run.path, last, run.database, to, 100.0 * shareOfEnergy(run.spectrum, last, to)));
-}
 
 namespace {
 
@@ -322,28 +354,51 @@ void requireSameLoading(const RunFile& run, const ShipParticulars& given,
   }
 }
 
-// Waves that break before they are as steep, and seas steeper than any: nothing of their answer is
-// of use.
+// Waves that break before they are as steep: nothing of their answer is of use.
 void warnOfSteepWaves(const RunFile& run, double gravity) {
-  constexpr double kBreaks = 0.142;       // H/λ of the highest wave in deep water [Michell 1893]
+  constexpr double kBreaks = 0.142;  // H/λ of the highest wave in deep water [Michell 1893]
+  const double omega = *std::max_element(run.omega.begin(), run.omega.end());
+  const double steepness = run.amplitude * omega * omega / (kPi * gravity);
+  if (steepness <= kBreaks) return;
+  warn(
+      fmt::format("{}: [waves] amplitude = {:.4g}: waves of {:.4g} rad/s would be {:.2g} of "
+                  "their length high; they break at {}",
+                  run.path, run.amplitude, omega, steepness, kBreaks));
+}
+
+void warnOfSteepSea(const RunFile& run, const SeaSystem& system, const std::string& where) {
   constexpr double kSteepest = 1 / 15.0;  // 2πHs/(g Tp²) of the steepest seas [DNV-RP-C205]
-  if (run.waves == RunFile::Waves::Regular) {
-    const double omega = *std::max_element(run.omega.begin(), run.omega.end());
-    const double steepness = run.amplitude * omega * omega / (kPi * gravity);
-    if (steepness > kBreaks)
-      warn(
-          fmt::format("{}: [waves] amplitude = {:.4g}: waves of {:.4g} rad/s would be {:.2g} of "
-                      "their length high; they break at {}",
-                      run.path, run.amplitude, omega, steepness, kBreaks));
-  } else if (run.waves == RunFile::Waves::Spectrum) {
-    const double omega = run.spectrum.peakFrequency();
-    const double steepness = run.spectrum.hs * omega * omega / (2.0 * kPi * gravity);
-    if (steepness > kSteepest)
-      warn(fmt::format(
-          "{}: [waves] hs = {:.4g}: steeper than seas are at tp = {:.4g}, whose hs is "
-          "at most {:.2g}",
-          run.path, run.spectrum.hs, 2.0 * kPi / omega, run.spectrum.hs * kSteepest / steepness));
-  }
+  const Spectrum& spectrum = system.spectrum;
+  const double omega = spectrum.peakFrequency(), hs = spectrum.significantHeight();
+  const double steepness = hs * omega * omega / (2.0 * kPi * spectrum.gravity);
+  if (steepness <= kSteepest) return;
+  warn(
+      fmt::format("{}: {} hs = {:.4g}: steeper than seas are at tp = {:.4g}, whose hs is "
+                  "at most {:.2g}",
+                  run.path, where, hs, 2.0 * kPi / omega, hs * kSteepest / steepness));
+}
+
+void warnOfHeight(const RunFile& run, const SeaSystem& system, const std::string& where) {
+  const Spectrum& spectrum = system.spectrum;
+  const bool dnv = spectrum.shape == SpectrumShape::Jonswap &&
+                   spectrum.normalisation == JonswapNormalisation::Dnv;
+  if (!dnv || spectrum.hs == 0.0) return;
+  const double height = spectrum.significantHeight(), off = height / spectrum.hs - 1.0;
+  warn(fmt::format(
+      "{}: {} normalisation = \"dnv\": the sea's Hs is {:.6g} m, {:.3g} % {} hs = "
+      "{:.6g}",
+      run.path, where, height, 100.0 * std::abs(off), off < 0.0 ? "below" : "above", spectrum.hs));
+}
+
+void warnOfCutOffs(const RunFile& run, const SeaSystem& system, const std::string& where) {
+  constexpr double kMuch = 0.02;  // of m0: a height that is 1 % off
+  const auto [from, to] = cutOffs(system.spectrum, system.settings);
+  const double outside = 1.0 - shareOfEnergy(system.spectrum, from, to);
+  if (outside <= kMuch) return;
+  warn(fmt::format(
+      "{}: {} omega_min, omega_max = {:.4g}, {:.4g} rad/s leave out {:.3g} % of m0; the "
+      "waves between them are that much higher, so that Hs is kept",
+      run.path, where, from, to, 100.0 * outside));
 }
 
 // What potential flow lacks: a ship file's own, without solving again.
@@ -356,15 +411,28 @@ void takeAdded(const ShipParticulars& given, ShipParticulars& ship) {
 
 }  // namespace
 
+void warnOfSea(const RunFile& run, double gravity) {
+  if (run.waves == RunFile::Waves::Regular) warnOfSteepWaves(run, gravity);
+  const std::vector<SeaSystem> systems = run.systemsAt(gravity);
+  for (std::size_t i = 0; i < systems.size(); ++i) {
+    const std::string where =
+        systems.size() == 1 ? "[waves]" : fmt::format("[waves] system {}:", i);
+    warnOfSteepSea(run, systems[i], where);
+    warnOfHeight(run, systems[i], where);
+    warnOfCutOffs(run, systems[i], where);
+  }
+}
+
 Coefficients readShipOfRun(RunFile& run) {
   std::string warning;
   Coefficients coefficients = readCoefficients(run.database, &warning);
   warn(warning);
-  cutSpectrum(run, coefficients);
-  naming(run.path, [&] {
-    warnIfUnresolved(run.database, coefficients, run.highestOmega(coefficients.ship.gravity));
+  naming(run.path, [&] {  // what is beyond the last frequency has no forces, which Ship says
+    const double highest = run.highestOmega(coefficients.ship.gravity);
+    const double last = coefficients.omega.empty() ? highest : coefficients.omega.back();
+    warnIfUnresolved(run.database, coefficients, std::min(highest, last));
+    warnOfSea(run, coefficients.ship.gravity);
   });
-  warnOfSteepWaves(run, coefficients.ship.gravity);
   std::optional<ShipParticulars> given;
   if (!run.ship.empty()) given = readShipFile(run.ship).particulars;
   if (isForeign(coefficients)) {

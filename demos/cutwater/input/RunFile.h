@@ -24,11 +24,11 @@ struct RunFile {
 
   enum class Waves { None, Regular, Spectrum, Components };
   Waves waves = Waves::None;
-  std::vector<double> omega;  ///< regular waves; more than one only for `sweep`
-  double amplitude = 1.0;     ///< [m]
-  double phase = 0.0;         ///< [rad]
-  Spectrum spectrum;
-  SeaStateSettings sea;
+  std::vector<double> omega;       ///< regular waves; more than one only for `sweep`
+  double amplitude = 1.0;          ///< [m]
+  double phase = 0.0;              ///< [rad]
+  std::vector<SeaSystem> systems;  ///< Waves::Spectrum: one or several, their gravity not yet known
+  SeaStateSettings sea;            ///< ramp and profile of all seas
   std::optional<ForeignBody> body;  ///< [body]
   std::vector<WaveComponent> components;
 
@@ -40,6 +40,8 @@ struct RunFile {
 
   /// The sea of this run; of regular waves the one at `omega[index]`.
   SeaState seaState(double gravity, std::size_t index = 0) const;
+  /// The systems, with gravity, ramp and profile.
+  std::vector<SeaSystem> systemsAt(double gravity) const;
   /// The sea's, unless the file says another: Wheeler's of a spectrum, else the report's.
   WaveProfile usualProfile() const {
     return waves == Waves::Spectrum ? WaveProfile::Wheeler : WaveProfile::Extrapolated;
@@ -50,8 +52,9 @@ struct RunFile {
 
 /// What a run file is read for.
 enum class RunUse {
-  Run,  ///< to be run: it names a database
-  Show  ///< to show a run that is there: also of a body of Bullet's, `[body] size` and no database
+  Run,   ///< to be run: it names a database
+  Show,  ///< to show a run that is there: also of a body of Bullet's, `[body] size` and no database
+  Sea    ///< for its sea alone: with or without a database
 };
 
 /// @param usual  the mean course unless the file names one. Where it is fixed, as of a sweep, a
@@ -62,13 +65,12 @@ RunFile readRunFile(const std::string& path, Mean usual, RunUse use = RunUse::Ru
 /// The run's database. If the run names a ship file, its supplementary terms, drag, engine and
 /// rudder replace the database's, and its mass, centre of gravity and gyradii must be the
 /// database's own. A database of another code is completed by that file's hull and gyradii, or by
-/// [body]. Warns of waves that the panels do not resolve; a spectrum that would end above the
-/// database by itself is cut there.
+/// [body]. Warns of waves that the panels do not resolve, and as warnOfSea.
 /// @throws HydroError.
 Coefficients readShipOfRun(RunFile& run);
 
-/// Cuts the run's spectrum, if it would end above this database by itself.
-/// @throws HydroError naming a field that asks for more, as readShipOfRun.
-void cutSpectrum(RunFile& run, const Coefficients& coefficients);
+/// Warns of waves steeper than waves are, of a height that is not hs, and of cut-offs that leave
+/// out more than 2 % of m0.
+void warnOfSea(const RunFile& run, double gravity);
 
 }  // namespace cutwater::command
