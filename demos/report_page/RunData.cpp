@@ -71,8 +71,10 @@ std::string seaText(const command::RunFile& run) {
     case command::RunFile::Waves::None:
       return "calm water";
     case command::RunFile::Waves::Regular:
-      return fmt::format("regular waves of {:.4g} rad/s, amplitude {:.4g} m, {}", run.omega.front(),
-                         run.amplitude, from);
+      return fmt::format(
+          "regular waves of {:.4g} rad/s, amplitude {:.4g} m, {}{}", run.omega.front(),
+          run.amplitude,
+          run.order > 1 ? fmt::format("of order {} in their steepness, ", run.order) : "", from);
     case command::RunFile::Waves::Components:
       return fmt::format("{} wave{} of the run file's own", run.components.size(),
                          run.components.size() == 1 ? "" : "s");
@@ -85,6 +87,33 @@ std::string seaText(const command::RunFile& run) {
   return text;
 }
 
+/// What the page sums to the surface: a sea's components, or a steep wave's harmonics.
+struct DrawnWaves {
+  std::vector<WaveComponent> waves;
+  std::vector<double> waveNumbers;
+};
+
+DrawnWaves drawnWaves(const SeaState& sea) {
+  DrawnWaves drawn;
+  for (std::size_t i = 0; i < sea.components().size(); ++i) {
+    const WaveComponent& wave = sea.components()[i];
+    const double k = sea.waveNumber(i);
+    if (!sea.stokes()) {
+      drawn.waves.push_back(wave);
+      drawn.waveNumbers.push_back(k);
+      continue;
+    }
+    const StokesWave::Series series = sea.stokes()->series(1.0);
+    for (std::size_t j = 0; j < StokesWave::kHarmonics; ++j) {
+      if (series.elevation[j] == 0.0) continue;
+      const auto n = static_cast<double>(j + 1);
+      drawn.waves.push_back({n * wave.omega, series.elevation[j], n * wave.phase, wave.heading});
+      drawn.waveNumbers.push_back(n * k);
+    }
+  }
+  return drawn;
+}
+
 void seaJson(Json& json, const command::RunFile& run, double gravity) {
   const SeaState sea = run.seaState(gravity);
   json.beginObject().field("text", seaText(run));
@@ -95,9 +124,10 @@ void seaJson(Json& json, const command::RunFile& run, double gravity) {
     if (of.shape == SpectrumShape::Jonswap) json.field("gamma", of.gamma);
   }
   json.field("ramp", run.sea.ramp);
+  const DrawnWaves drawn = drawnWaves(sea);
   const auto column = [&](const char* name, double WaveComponent::*part) {
     std::vector<double> numbers;
-    for (const WaveComponent& wave : sea.components()) numbers.push_back(wave.*part);
+    for (const WaveComponent& wave : drawn.waves) numbers.push_back(wave.*part);
     json.key(name);
     blob64(json, numbers);
   };
@@ -105,6 +135,8 @@ void seaJson(Json& json, const command::RunFile& run, double gravity) {
   column("amplitude", &WaveComponent::amplitude);
   column("phase", &WaveComponent::phase);
   column("heading", &WaveComponent::heading);
+  json.key("k");
+  blob64(json, drawn.waveNumbers);
   json.end();
 }
 

@@ -39,9 +39,16 @@ void readRegular(TomlSection& waves, RunFile& run) {
   if (run.omega.empty()) waves.refuse("omega", "must hold a frequency");
   run.amplitude = waves.number("amplitude", run.amplitude, 0.0, 100.0);
   run.phase = kDegree * waves.number("phase_deg", 0.0, -kTurn, kTurn);
-  if (waves.integer("order", 1, 1, 2) != 1) {
-    waves.refuse("order", "second-order waves are not in this version; 1 is linear waves");
-  }
+  run.order = waves.integer("order", 1, 1, 5);
+  if (run.order == 1) return;
+  if (run.order != 2 && run.order != 5) waves.refuse("order", "there are 1, 2 and 5");
+  const ShipModel& model = run.model;
+  if (model.mode ? *model.mode == HullPressure::Linear : model.mean == Mean::Fixed)
+    waves.refuse(
+        "order",
+        "of steep waves acts on the wetted hull; take [motion] mode = \"nonlinear\", or 1");
+  if (waves.has("profile"))
+    waves.refuse("profile", "is not for steep waves, whose pressure is their own; leave it out");
 }
 
 constexpr const char* kDeep =
@@ -262,6 +269,9 @@ SeaState RunFile::seaState(double gravity, std::size_t index) const {
     case Waves::None:
       return SeaState({}, gravity, sea.ramp, sea.profile);
     case Waves::Regular:
+      if (order > 1)
+        return SeaState::steep({omega.at(index), amplitude, phase, heading}, gravity, order,
+                               sea.ramp);
       return SeaState({{omega.at(index), amplitude, phase, heading}}, gravity, sea.ramp,
                       sea.profile);
     case Waves::Components:

@@ -27,6 +27,7 @@ struct RunFile {
   std::vector<double> omega;       ///< regular waves; more than one only for `sweep`
   double amplitude = 1.0;          ///< [m]
   double phase = 0.0;              ///< [rad]
+  int order = 1;                   ///< of regular waves in their steepness: 1, 2, 5
   std::vector<SeaSystem> systems;  ///< Waves::Spectrum: one or several, their gravity not yet known
   SeaStateSettings sea;            ///< ramp and profile of all seas
   std::optional<ForeignBody> body;  ///< [body]

@@ -5,7 +5,7 @@ import { makeLinearTrack, makeTrack } from "./motion.js";
 
 const same = (a, b) => {
   if (!a || !b) return !a && !b;
-  const keys = ["omega", "amplitude", "phase", "heading"];
+  const keys = ["omega", "amplitude", "phase", "heading", "k"];
   return (
     (a.ramp ?? 0) === (b.ramp ?? 0) &&
     keys.every((key) => a[key].length === b[key].length && a[key].every((v, i) => v === b[key][i]))
@@ -42,8 +42,8 @@ export function boxHull([l, b, h]) {
 function seaOf(run, gravity) {
   const g = run.gravity ?? gravity;
   if (!run.sea || run.sea.omega.length === 0) return calmSea(g);
-  const { omega, amplitude, phase, heading, ramp } = run.sea;
-  return makeSea(omega, amplitude, phase, heading, g, ramp ?? 0, run.profile);
+  const { omega, amplitude, phase, heading, ramp, k } = run.sea;
+  return makeSea(omega, amplitude, phase, heading, g, ramp ?? 0, run.profile, k);
 }
 
 /// The closed hull; of a database without one the wet panels, mirrored if they are one side's.

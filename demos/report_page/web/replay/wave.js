@@ -9,14 +9,16 @@ import { jonswap } from "../analysis/sea.js";
 
 const TURN = 2 * Math.PI;
 
-/// The components as arrays: omega [rad/s], amplitude [m], phase [rad], heading [rad].
-export function makeSea(omega, amplitude, phase, heading, gravity, ramp = 0, profile = "wheeler") {
+/// The components as arrays: omega [rad/s], amplitude [m], phase [rad], heading [rad]; wave numbers
+/// [1/m] where they are not omega^2/g, as of a steep wave's harmonics.
+export function makeSea(omega, amplitude, phase, heading, gravity, ramp = 0, profile = "wheeler",
+                        waveNumbers = null) {
   const n = omega.length;
   const kx = new Float64Array(n);
   const ky = new Float64Array(n);
   const k = new Float64Array(n);
   for (let i = 0; i < n; ++i) {
-    k[i] = (omega[i] * omega[i]) / gravity;
+    k[i] = waveNumbers ? waveNumbers[i] : (omega[i] * omega[i]) / gravity;
     kx[i] = k[i] * Math.cos(heading[i]);
     ky[i] = -k[i] * Math.sin(heading[i]);
   }
