@@ -9,6 +9,7 @@
 #include "hydro/Errors.h"
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/forces/SeaTables.h"
+#include "plugin/FloatFleet.h"
 #include "plugin/SettingsCheck.h"
 #include "plugin/ShipBody.h"
 #include "plugin/ThreadPool.h"
@@ -114,6 +115,7 @@ Seaway::Seaway(btDiscreteDynamicsWorld& world, SeaState sea, const WorldFrame& f
     : world_(checked(world)),
       sea_(std::make_shared<const SeaState>(std::move(sea))),
       frame_(checked(frame)),
+      floats_(std::make_unique<FloatFleet>(world_, frame_, sea_)),
       listener_(std::make_unique<Listener>(*this)),
       hook_(std::make_unique<WorldHook>(world, *listener_)) {}
 
@@ -126,6 +128,7 @@ Seaway::~Seaway() {
   if (!worldLives()) return;
   hook_->worldLives();
   for (const auto& ship : ships_) ship->worldLives();
+  floats_->worldLives();
 }
 
 void Seaway::setThreads(unsigned threads) {
@@ -212,6 +215,20 @@ void Seaway::removeShip(Ship& ship) {
   std::erase_if(tables_, [](const auto& tables) { return tables.use_count() == 1; });
 }
 
+Float& Seaway::addFloat(btRigidBody& body, const FloatSettings& settings) {
+  if (shipOf(body) != nullptr)
+    throw HydroError(Fault::BadArgument, "Seaway::addFloat: the body is a ship of this sea");
+  return floats_->add(body, settings);
+}
+
+void Seaway::removeFloat(Float& floating) { floats_->remove(floating); }
+
+Float* Seaway::floatOf(const btCollisionObject& body) const noexcept { return floats_->of(body); }
+
+const std::vector<std::unique_ptr<Float>>& Seaway::floats() const noexcept {
+  return floats_->floats();
+}
+
 btVector3 Seaway::waterAt(const btVector3& place) const noexcept {
   Vec3 at = frame_.placeToEarth(place);
   at.z() = waveHeight(at.x(), at.y());
@@ -228,6 +245,8 @@ void Seaway::save(Snapshot& snapshot) const {
   snapshot.time = time_;
   snapshot.ships.resize(ships_.size());
   for (std::size_t i = 0; i < ships_.size(); ++i) ships_[i]->save(snapshot.ships[i]);
+  snapshot.floats.resize(floats().size());
+  for (std::size_t i = 0; i < floats().size(); ++i) floats()[i]->save(snapshot.floats[i]);
 }
 
 void Seaway::restore(const Snapshot& snapshot) {
@@ -236,7 +255,13 @@ void Seaway::restore(const Snapshot& snapshot) {
                                              std::to_string(snapshot.ships.size()) +
                                              " ships, here are " + std::to_string(ships_.size()));
   }
+  if (snapshot.floats.size() != floats().size()) {
+    throw HydroError(Fault::BadArgument,
+                     "Seaway::restore: snapshot has " + std::to_string(snapshot.floats.size()) +
+                         " floats, here are " + std::to_string(floats().size()));
+  }
   for (std::size_t i = 0; i < ships_.size(); ++i) ships_[i]->restore(snapshot.ships[i]);
+  for (std::size_t i = 0; i < floats().size(); ++i) floats()[i]->restore(snapshot.floats[i]);
   time_ = snapshot.time;
 }
 
@@ -287,10 +312,12 @@ void Seaway::beforeTick(btScalar step) noexcept {
     for (std::size_t i = 0; i < ships_.size(); ++i) one(this, i);
   }
   for (std::size_t i = 0; i < ships_.size(); ++i) raise(shipFaults_[i]);
+  raise(floats_->beginTick(time_, step));
 }
 
 void Seaway::afterTick(btScalar step) noexcept {
   for (const auto& ship : ships_) raise(ship->endTick(step));
+  raise(floats_->endTick());
   for (TickObserver* observer : observers_) observer->tickDone(*this);
   if (std::isfinite(step)) time_ += static_cast<double>(step);
   tickFaults_ = kStepOk;
