@@ -14,7 +14,8 @@ CUTWATER_PLUGIN_BEGIN
 
 namespace {
 
-constexpr double kStillSpeed = 0.01;    // [m/s], [rad/s]: a wet body that moves does not sleep
+constexpr double kStillSpeed = 2e-4;    // [m/s]: a wet body that moves does not sleep
+constexpr double kStillSpin = 1e-3;     // [rad/s]
 constexpr double kMovedAway = 2.0;      // of its reach, further than which a body was set
 constexpr double kLockedInertia = 1e9;  // of mV^{2/3}: an inertia that Bullet takes as infinite
 
@@ -57,6 +58,7 @@ void checkFloatSettings(const FloatSettings& settings) {
   within("waterDensity", settings.waterDensity, 1.0, 20000.0);
   within("normalDrag", settings.normalDrag, 0.0, 10.0);
   within("friction", settings.friction, 0.0, 1.0);
+  within("slowDrag", settings.slowDrag, 0.0, 1.0);
 }
 
 // In SI, about the centre of mass, in axes that are to E as the body's are to the world.
@@ -81,8 +83,9 @@ Float::Float(btDiscreteDynamicsWorld& world, const WorldFrame& frame, btRigidBod
     : world_(world), frame_(frame), body_(&body), shape_(body.getCollisionShape()) {
   checkFloatSettings(settings);
   hull_ = std::make_shared<const FloatHull>(meshOfBody(frame, body, settings));
-  water_ = std::make_unique<FloatBody>(
-      hull_, FloatProperties{settings.waterDensity, settings.normalDrag, settings.friction});
+  water_ =
+      std::make_unique<FloatBody>(hull_, FloatProperties{settings.waterDensity, settings.normalDrag,
+                                                         settings.friction, settings.slowDrag});
   rig_ = std::make_unique<FloatRig>();
   inverseMass_ = body_->getInvMass();
   inverseInertia_ = body_->getInvInertiaDiagLocal();
@@ -255,7 +258,7 @@ void Float::keepAwake(bool waves) noexcept {
   const double speed =
       static_cast<double>(body_->getLinearVelocity().length()) * frame_.metresPerUnit;
   const auto spin = static_cast<double>(body_->getAngularVelocity().length());
-  if (waves || speed > kStillSpeed || spin > kStillSpeed) body_->setDeactivationTime(0);
+  if (waves || speed > kStillSpeed || spin > kStillSpin) body_->setDeactivationTime(0);
 }
 
 std::uint32_t Float::begin(bool waves, const Vec3& water, const Mat3& gradient,
@@ -275,7 +278,9 @@ std::uint32_t Float::begin(bool waves, const Vec3& water, const Mat3& gradient,
   const bool dry = tick.inertia(0, 0) == 0.0;
   if (!dry) keepAwake(waves);
   const Mat3 axes = fromBullet(body_->getWorldTransform().getBasis());
+  // The rows resist changes of the velocity in the world; turning is in the impulse.
   added.follow({axes, axes}, frame_.axes(), 0.0);
+  added.setPast(added.linearVelocity(), added.angularVelocity(), {axes, axes});
   if (!dry || !dry_) added.setAddedMass(frame_.mass(tick.inertia));
   dry_ = dry;
   body_->applyCentralImpulse(frame_.force(tick.impulse.head<3>()));
@@ -311,16 +316,15 @@ void Float::save(Snapshot& s) const noexcept {
   s.past = {btVector3(0, 0, 0), btVector3(0, 0, 0)};
   if (rig_->added) {
     s.past = {rig_->added->linearVelocity(), rig_->added->angularVelocity()};
-    s.pastAxes = rig_->added->pastAxes().linear;
   }
   s.known = known_.pose.getBasis();
   s.knownAt = known_.pose.getOrigin();
   s.activation = body_->getActivationState();
   s.stillFor = static_cast<double>(body_->getDeactivationTime());
   const FloatBody::Past past = water_->past();
-  s.share = past.share;
-  s.waterVelocity = past.velocity;
-  s.gradient = past.gradient;
+  s.share = past.moving.share;
+  s.addedMass = {past.moving.linear, past.moving.angular};
+  s.momentum = {past.moving.arm, past.moving.waterLinear, past.moving.waterAngular};
   s.begun = past.begun;
   s.now = static_cast<int>(now_);
 }
@@ -336,8 +340,10 @@ void Float::restore(const Snapshot& s) noexcept {
   body_->setInterpolationAngularVelocity(s.velocities[3]);
   body_->forceActivationState(s.activation);
   body_->setDeactivationTime(static_cast<btScalar>(s.stillFor));
-  if (rig_->added) rig_->added->setPast(s.past[0], s.past[1], {s.pastAxes, s.pastAxes});
-  water_->setPast({s.share, s.waterVelocity, s.gradient, s.begun});
+  if (rig_->added) rig_->added->setPast(s.past[0], s.past[1], {});
+  water_->setPast(
+      {{s.addedMass[0], s.addedMass[1], s.momentum[0], s.momentum[1], s.momentum[2], s.share},
+       s.begun});
   now_ = static_cast<Now>(s.now);
   remember();
   known_.pose = btTransform(s.known, s.knownAt);

@@ -31,6 +31,9 @@ struct FloatSettings {
   /// water along its normal. A cube along an edge has C_D = C, a ball ½C, a cylinder across ⅔C.
   double normalDrag = 1.05;
   double friction = 0.005;  ///< C_F of the wetted faces, along them, 0 .. 1
+  /// Of √(gL), L = V^{1/3}: the speed below which drag across faces falls with v instead of v², so
+  /// that small swings end, 0 .. 1. Eddies at edges take more of them than of a steady flow.
+  double slowDrag = 0.1;
 };
 
 /// One body that floats, sinks and drifts by its collision shape: a crate, barrel, buoy, raft,
@@ -99,14 +102,13 @@ class Float {
     btTransform transform{btTransform::getIdentity()}, interpolated{btTransform::getIdentity()};
     std::array<btVector3, 4> velocities{};  // linear, angular; interpolated
     std::array<btVector3, 2> past{};        // v⁻
-    Mat3 pastAxes = Mat3::Identity();       // of the body then
     btMatrix3x3 known{btMatrix3x3::getIdentity()};
     btVector3 knownAt{0, 0, 0};
     int activation = 1;
     int now = 3;
     double stillFor = 0.0, share = 0.0;
-    Vec3 waterVelocity = Vec3::Zero();
-    Mat3 gradient = Mat3::Zero();
+    std::array<Mat3, 2> addedMass{Mat3::Zero(), Mat3::Zero()};
+    std::array<Vec3, 3> momentum{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // arm, of the water
     bool begun = false;
   };
   void save(Snapshot& snapshot) const noexcept;

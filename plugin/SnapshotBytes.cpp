@@ -67,15 +67,14 @@ void visitFields(Visitor& v, Snapshot& s) {
   v.field("interpolated", s.interpolated);
   v.field("velocities", s.velocities);
   v.field("past", s.past);
-  v.field("pastAxes", s.pastAxes);
   v.field("known", s.known);
   v.field("knownAt", s.knownAt);
   v.field("activation", s.activation);
   v.field("now", s.now);
   v.field("stillFor", s.stillFor);
   v.field("share", s.share);
-  v.field("waterVelocity", s.waterVelocity);
-  v.field("gradient", s.gradient);
+  v.field("addedMass", s.addedMass);
+  v.field("momentum", s.momentum);
   v.field("begun", s.begun);
 }
 

@@ -85,25 +85,23 @@ Vec6 FloatBody::pressure() const noexcept {
   return load;
 }
 
-// The ellipsoid's share, about the middle of what is wet.
-Mat6 FloatBody::addedMass() const noexcept {
+// The ellipsoid's share at the middle of what is wet, and what of the undisturbed water's motion it
+// has: A of its velocity and of Ω_w.
+FloatBody::Moving FloatBody::moving(const FloatWater::Motion& water) const noexcept {
   const double wet = properties_.density * share_;
-  Mat6 mass = actingAt(wet * hull_->linear(), state_.centre);
-  mass.bottomRightCorner<3, 3>() += wet * hull_->angular();
-  return mass;
+  const Mat3& R = pose_.attitude;
+  Moving moving;
+  moving.linear = wet * (R * hull_->linear() * R.transpose());
+  moving.angular = wet * (R * hull_->angular() * R.transpose());
+  moving.arm = R * state_.centre;
+  moving.waterLinear = moving.linear * water.velocity;
+  moving.waterAngular = wet * (R * hull_->strained(R.transpose() * water.gradient * R));
+  moving.share = share_;
+  return moving;
 }
 
-// What of the undisturbed water's motion that mass has: A of its velocity and of Ω_w.
-Vec6 FloatBody::momentumOf(const FloatWater::Motion& water) const noexcept {
-  const double wet = properties_.density * share_;
-  const Mat3 toBody = pose_.attitude.transpose();
-  Vec6 momentum = wrenchAt(wet * (hull_->linear() * (toBody * water.velocity)), state_.centre);
-  momentum.tail<3>() += wet * hull_->strained(toBody * water.gradient * pose_.attitude);
-  return momentum;
-}
-
-// −½ρ(C/2) S v_n|v_n| n − ½ρ C_F S |v_t| v_t on each wet face, as −D v with D of the speeds at the
-// start. Faces that look down carry the stiffness: ρg ∫q qᵀ dA of the waterplane, q = (e, r × e),
+// −½ρ(C/2) S √(v_n² + v₀²) v_n n − ½ρ C_F S |v_t| v_t on each wet face, as −D v with D of the speeds
+// at the start. Faces that look down carry the stiffness: ρg ∫q qᵀ dA of the waterplane, q = (e, r × e),
 // as long as no wet face looks up, and more than it otherwise.
 void FloatBody::addFaces(const Velocity& own, const FloatWater::Motion& water,
                          Forces& forces) const noexcept {
@@ -111,6 +109,7 @@ void FloatBody::addFaces(const Velocity& own, const FloatWater::Motion& water,
   const double normal = 0.25 * properties_.density * properties_.normalDrag;
   const double along = 0.5 * properties_.density * properties_.friction;
   const double lift = properties_.density * gravity_;
+  const double slow = properties_.slowDrag * std::sqrt(gravity_ * hull_->size());
   for (const auto& face : faces_) {
     const double size = face.area.norm();
     if (!(size > 0.0)) continue;
@@ -119,7 +118,7 @@ void FloatBody::addFaces(const Velocity& own, const FloatWater::Motion& water,
                          water.gradient * (face.middle - state_.centre);
     const double out = through.dot(n);
     const Vec3 slides = through - out * n;
-    const double c = normal * size * std::abs(out), f = along * size * slides.norm();
+    const double c = normal * size * std::hypot(out, slow), f = along * size * slides.norm();
     Mat3 drag = (c - f) * n * n.transpose();
     drag.diagonal().array() += f;
     forces.damping += actingAt(drag, face.middle);
@@ -131,8 +130,10 @@ void FloatBody::addFaces(const Velocity& own, const FloatWater::Motion& water,
   }
 }
 
-// Of a body that heaves by itself, by Haskind's relation with the long waves' force ρgA_w e^{−kd}:
-//   B = ½ρ ω³A_w²/g e^{−2kd},   ω² = ρgA_w/(m + A33), k = ω²/g, d the depth of the wet middle
+// What a body that heaves by itself gives to the waves that it makes, by Haskind's relation with the
+// force of long waves on it, X = (ρgA_w − ω²A33) e^{−kd} e^{−(kR)²/8} = ρgA_w m/(m + A33) …:
+//   B = ½kω|X|²/(ρg²),   ω² = ρgA_w/(m + A33), k = ω²/g, d the depth of the wet middle, A_w = πR²
+// The last factor is the mean of a wave over the waterplane, 2J₁(kR)/(kR), nearly.
 void FloatBody::addRadiation(const Velocity& own, const FloatWater::Motion& water, double mass,
                              Forces& forces) const noexcept {
   const double plane =
@@ -143,23 +144,47 @@ void FloatBody::addRadiation(const Velocity& own, const FloatWater::Motion& wate
   const double whole = mass + rho * share_ * up.dot(hull_->linear() * up);
   const double k = rho * plane / whole, omega = std::sqrt(k * gravity_);
   const double depth = std::max(0.0, surface_ - centre().z());
-  const double b =
-      0.5 * rho * omega * omega * omega * plane * plane / gravity_ * std::exp(-2.0 * k * depth);
+  const double force = plane * mass / whole;  // over ρg
+  const double b = 0.5 * rho * k * omega * force * force *
+                   std::exp(-2.0 * k * depth - k * k * plane / (4.0 * kPi));
   const Vec6 q = wrenchAt(up, state_.centre);
   const double rise = up.dot(own.linear + own.angular.cross(state_.centre) - water.velocity);
   forces.damping.noalias() += b * q * q.transpose();
   forces.load -= b * rise * q;
 }
 
+// Momentum of the water that the body moves, less what that water has by itself: p = A(v + Ω × b − u)
+// at b, L = A_r Ω − A_r Ω_w. What acts on the body is its loss. What has come in since had none, what
+// has gone took its own along. The engine does −A(v⁺ − v⁻) of it, the rest is here. Where a tick
+// turns far, p⁻ turns with the body more than it stands still, so that no tick is too long.
+Vec6 FloatBody::lostMomentum(const Moving& now, const Velocity& velocity,
+                             double standing) const noexcept {
+  const double kept = past_.share > share_ ? share_ / past_.share : 1.0;  // of what was wet
+  const double old = std::min(1.0, past_.share / share_);                 // of what is wet
+  const Vec3 own = velocity.linear + velocity.angular.cross(now.arm);
+  const Vec3 before = velocity.linear + velocity.angular.cross(past_.arm);
+  const auto mixed = [&](const Vec3& stands, const Vec3& turns) {
+    return Vec3(standing * kept * stands + (1.0 - standing) * old * turns);
+  };
+  const Vec3 p = mixed(past_.linear * before, now.linear * own) - kept * past_.waterLinear;
+  const Vec3 L = mixed(past_.angular * velocity.angular, now.angular * velocity.angular) -
+                 kept * past_.waterAngular;
+  const Vec3 force = p - (now.linear * own - now.waterLinear);
+  Vec6 impulse = wrenchAt(force, now.arm);
+  impulse.tail<3>() += L - (now.angular * velocity.angular - now.waterAngular);
+  return impulse;
+}
+
 FloatBody::Tick FloatBody::tick(const Velocity& velocity, double mass,
                                 const FloatWater::Motion& water, double h) noexcept {
   Tick tick;
-  const double came = begun_ ? std::max(0.0, share_ - before_) : 0.0;
-  const FloatWater::Motion past = begun_ ? water_ : water;
-  begun_ = true;
-  before_ = share_;
-  water_ = water;
-  if (!(share_ > 0.0)) return tick;
+  const Moving now = moving(water);
+  if (!begun_) past_ = now;
+  if (!(share_ > 0.0)) {
+    past_ = now;
+    begun_ = true;
+    return tick;
+  }
   const Mat3& R = pose_.attitude;
   const Mat3 toBody = R.transpose();
   const Velocity own{toBody * velocity.linear, toBody * velocity.angular};
@@ -170,40 +195,45 @@ FloatBody::Tick FloatBody::tick(const Velocity& velocity, double mass,
   addFaces(own, flow, forces);
   addRadiation(own, flow, mass, forces);
 
+  const Vec3 slip = velocity.linear + velocity.angular.cross(now.arm) - water.velocity;
+  const double rate = velocity.angular.norm() + slip.norm() / hull_->size();
+  const double standing = 1.0 / (1.0 + std::pow(kTurnLimit * h * rate, 2));
+  tick.impulse = lostMomentum(now, velocity, standing);
+  // Munk's moment, −v × p: what keeps a long body from going on end first.
+  const Vec3 p = now.linear * slip;
+  tick.impulse.tail<3>() -= h * standing * slip.cross(p);
+  past_ = now;
+  begun_ = true;
+
+  // Stiffness, by Newmark's rule; of a body too light for its tick more and more implicitly.
+  const Vec3 up = R.row(2);
   const Mat6 added = addedMass();
-  const Vec6 momentum = momentumOf(water);
-  Vec6 twist;
-  twist << own.linear, own.angular;
-  // The water's own acceleration; and what has come in is set going, or sets the body going.
-  const double fresh = came / share_;
-  Vec6 impulse = (1.0 - fresh) * (momentum - momentumOf(past)) - fresh * (added * twist - momentum);
-
-  // Turning of the relative momentum: −Ω × P, −Ω × H − v × P. They do no work together, so they are
-  // taken in one share, less where a tick turns far.
-  const Vec6 relative = added * twist - momentum;
-  const Vec3 p = relative.head<3>(), spin = own.angular;
-  const Vec3 slip = own.linear - flow.velocity + spin.cross(state_.centre);
-  const double rate = spin.norm() + slip.norm() / hull_->size();
-  const double part = 1.0 / (1.0 + std::pow(kTurnLimit * h * rate, 2));
-  Vec6 turning;
-  turning << -spin.cross(p),
-      -spin.cross(Vec3(relative.tail<3>())) - (slip - spin.cross(state_.centre)).cross(p);
-  impulse += h * part * turning;
-
-  tick.inertia = added + h * forces.damping + kImplicitStiffness * h * h * forces.stiffness;
-  const double munk = part * properties_.density * share_ * hull_->linearSpread();
+  Vec6 upwards = Vec6::Zero();
+  upwards.head<3>() = up;
+  const double heave = mass + up.dot(added.topLeftCorner<3, 3>() * up);
+  const double stiff = 0.25 * h * h * upwards.dot(forces.stiffness * upwards) / heave;
+  const double implicit = stiff * stiff / (1.0 + stiff * stiff);
+  Vec6 through;
+  through << own.linear - flow.velocity, own.angular;
+  forces.load -= implicit * h * (forces.stiffness * through);
+  tick.inertia =
+      added + h * forces.damping + (kImplicitStiffness + 0.5 * implicit) * h * h * forces.stiffness;
+  const double munk = standing * properties_.density * share_ * hull_->linearSpread();
+  const Vec3 slipInBody = toBody * slip;
   tick.inertia.bottomRightCorner<3, 3>() +=
       kImplicitStiffness * h * h * munk *
-      (slip.squaredNorm() * Mat3::Identity() - slip * slip.transpose());
-  impulse += h * forces.load;
-  tick.impulse << R * impulse.head<3>(), R * impulse.tail<3>();
+      (slip.squaredNorm() * Mat3::Identity() - slipInBody * slipInBody.transpose());
+  const Vec6 load = h * forces.load;
+  tick.impulse.head<3>() += R * load.head<3>();
+  tick.impulse.tail<3>() += R * load.tail<3>();
   return tick;
 }
 
-void FloatBody::setPast(const Past& past) noexcept {
-  before_ = past.share;
-  water_ = {past.velocity, past.gradient};
-  begun_ = past.begun;
+Mat6 FloatBody::addedMass() const noexcept {
+  const double wet = properties_.density * share_;
+  Mat6 mass = actingAt(wet * hull_->linear(), state_.centre);
+  mass.bottomRightCorner<3, 3>() += wet * hull_->angular();
+  return mass;
 }
 
 }  // namespace cutwater

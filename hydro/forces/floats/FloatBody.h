@@ -16,6 +16,10 @@ struct FloatProperties {
   /// normal. A cube that moves along an edge has C_D = C, a ball ½C, a cylinder across ⅔C.
   double normalDrag = 1.05;
   double friction = 0.005;  ///< C_F of the wetted faces, along them
+  /// v₀ over √(gL), L = V^{1/3}: drag across faces is that of √(v_n² + v₀²) |v_n|. Small swings lose
+  /// more at edges than a steady flow of their speed does (C grows as the Keulegan-Carpenter number
+  /// falls), so that they end.
+  double slowDrag = 0.1;
 };
 
 /// One small body in its sea, tick by tick, without an engine: what the water presses on it, its
@@ -75,15 +79,23 @@ class FloatBody {
   /// The next tick has no past.
   void forget() noexcept { begun_ = false; }
 
+  /// The water that moves with the body, after a tick: in E, with the arm from G [m].
+  struct Moving {
+    Mat3 linear = Mat3::Zero(), angular = Mat3::Zero();  ///< A [kg], A_r [kg·m²]
+    Vec3 arm = Vec3::Zero();
+    Vec3 waterLinear = Vec3::Zero(), waterAngular = Vec3::Zero();  ///< A u, A_r Ω_w
+    double share = 0.0;
+  };
   /// Exact state between ticks.
   struct Past {
-    double share = 0.0;
-    Vec3 velocity = Vec3::Zero();  ///< of the water at the last tick
-    Mat3 gradient = Mat3::Zero();
+    Moving moving;
     bool begun = false;
   };
-  Past past() const noexcept { return {before_, water_.velocity, water_.gradient, begun_}; }
-  void setPast(const Past& past) noexcept;
+  Past past() const noexcept { return {past_, begun_}; }
+  void setPast(const Past& past) noexcept {
+    past_ = past.moving;
+    begun_ = past.begun;
+  }
 
  private:
   struct Forces;
@@ -92,7 +104,8 @@ class FloatBody {
   void addRadiation(const Velocity& own, const FloatWater::Motion& water, double mass,
                     Forces& forces) const noexcept;
   Mat6 addedMass() const noexcept;
-  Vec6 momentumOf(const FloatWater::Motion& water) const noexcept;
+  Moving moving(const FloatWater::Motion& water) const noexcept;
+  Vec6 lostMomentum(const Moving& now, const Velocity& velocity, double standing) const noexcept;
 
   std::shared_ptr<const FloatHull> hull_;
   FloatProperties properties_;
@@ -100,9 +113,8 @@ class FloatBody {
   std::vector<WettedTriangles::WetFace> faces_;
   Pose pose_;
   double gravity_ = 0.0, share_ = 0.0;
-  double surface_ = 0.0;      // mean height of the water's surface over the points [m]
-  double before_ = 0.0;       // share_ a tick ago
-  FloatWater::Motion water_;  // a tick ago, in E
+  double surface_ = 0.0;  // mean height of the water's surface over the points [m]
+  Moving past_;           // a tick ago
   bool begun_ = false;
 };
 
