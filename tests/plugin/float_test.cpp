@@ -46,10 +46,6 @@ TEST(FloatClosedForm, ABoxFloatsAtItsDraught) {
   }
 }
 
-double now(const btRigidBody& body) {
-  return static_cast<double>(body.getLinearVelocity().length2());
-}
-
 // Every shape has its volume, and floats at its share of it.
 TEST(FloatClosedForm, EveryShapeHasItsVolumeAndDisplacesItsMass) {
   btSphereShape ball(btScalar(0.5));
@@ -157,6 +153,7 @@ TEST(FloatClosedForm, WhatSinksReachesItsTerminalSpeed) {
 // Without gravity and weight, deep down, whatever the tick: a velocity is slowed, never turned; and
 // of a body that moves and spins the energy only falls.
 TEST(FloatIdentity, DragNeverTurnsAVelocityRound) {
+  constexpr double kNothing = kDouble ? 1e-10 : 1e-4;  // round-off of (20 m/s)², at rest
   for (const double tick : {1.0 / 240, 1.0 / 60, 1.0 / 15}) {
     for (const double size : {0.02, 0.5, 6.0}) {
       for (const double density : {0.05, 1.0, 8.0}) {
@@ -181,8 +178,8 @@ TEST(FloatIdentity, DragNeverTurnsAVelocityRound) {
             const btVector3 now = body.getLinearVelocity(), turns = body.getAngularVelocity();
             // Of a body that does both, the water's share of the energy may come back to it.
             if (moves != 3) {
-              EXPECT_GE(now.dot(before), 0) << tick << ' ' << size << ' ' << density;
-              EXPECT_GE(turns.dot(spin), 0) << tick << ' ' << size << ' ' << density;
+              EXPECT_GE(now.dot(before), -kNothing) << tick << ' ' << size << ' ' << density;
+              EXPECT_GE(turns.dot(spin), -kNothing) << tick << ' ' << size << ' ' << density;
               EXPECT_LE(energy(), most * 1.0001);
             }
             most = energy();
@@ -251,16 +248,19 @@ TEST(FloatVerification, ABodyAsHeavyAsWaterFollowsItsOrbit) {
   one.body().setGravity(scene.world.world.getGravity());
   scene.run(30.0);
   Vec3 low = Vec3::Constant(1e9), high = -low;
-  double slip = 0.0;
+  double slip = 0.0, fastest = 0.0, slowest = 0.0;
   scene.run(2.0 * kPi / omega, 1.0 / 64, [&] {
     const Vec3 at = scene.place(one.body());
     low = low.cwiseMin(at);
     high = high.cwiseMax(at);
     const Vec3 v = fromBullet(one.body().getLinearVelocity());
     slip = std::max(slip, (v - one.waterVelocity()).norm());
+    fastest = std::max(fastest, v.x());
+    slowest = std::min(slowest, v.x());
   });
   const double orbit = a * std::exp(k * 0.5 * (high.z() + low.z()));
-  EXPECT_NEAR(0.5 * (high.x() - low.x()), orbit, 0.04 * orbit);
+  // By its velocity: it drifts on meanwhile.
+  EXPECT_NEAR(0.5 * (fastest - slowest) / omega, orbit, 0.04 * orbit);
   EXPECT_NEAR(0.5 * (high.z() - low.z()), orbit, 0.04 * orbit);
   EXPECT_LT(slip, 0.05 * omega * orbit);
   recordResult("Floats", withPrecision("orbit of a ball as heavy as water, 3 m down [m]"),

@@ -192,6 +192,10 @@ FloatBody::Tick FloatBody::tick(const Velocity& velocity, double mass,
   hull_->triangles().wetFaces(state_, faces_);
   Forces forces;
   forces.load = state_.load;
+  // ρV of the convective part of Du/Dt, which linear pressure does not have: without it a body as
+  // heavy as water would sink in waves, by a²ω²k e^{2kz}.
+  forces.load += wrenchAt(properties_.density * state_.volume * (flow.gradient * flow.velocity),
+                          state_.centre);
   addFaces(own, flow, forces);
   addRadiation(own, flow, mass, forces);
 
