@@ -157,7 +157,7 @@ class Seaway final {
   void forgetContacts();
 
   /// Draws waterlines, the parts of the load (1 m for 1 % of the ship's weight) and a grid of waves
-  /// around each ship. btCollisionWorld::debugDrawWorld calls it.
+  /// around each ship; waterlines of floats. btCollisionWorld::debugDrawWorld calls it.
   void debugDraw(btIDebugDraw& drawer) const;
 
   /// Observers must outlive the Seaway or be removed.

@@ -36,6 +36,37 @@ Mat6 actingAt(const Mat3& matrix, const Vec3& at) {
   return m;
 }
 
+/// Weights at points: Σw, Σw r and Σw r rᵀ, and the 6×6 matrices Σ w J Jᵀ of them.
+struct PointSums {
+  double weight = 0.0;
+  Vec3 first = Vec3::Zero();
+  Mat3 second = Mat3::Zero();
+  void add(double w, const Vec3& r) {
+    weight += w;
+    first += w * r;
+    second.noalias() += (w * r) * r.transpose();
+  }
+  /// J of all three directions at r.
+  Mat6 everyWay() const {
+    Mat6 m;
+    m.topLeftCorner<3, 3>() = weight * Mat3::Identity();
+    m.bottomLeftCorner<3, 3>() = crossOf(first);
+    m.topRightCorner<3, 3>() = -m.bottomLeftCorner<3, 3>();
+    m.bottomRightCorner<3, 3>() = second.trace() * Mat3::Identity() - second;
+    return m;
+  }
+  /// J = (e, r × e).
+  Mat6 along(const Vec3& e) const {
+    const Mat3 turn = crossOf(e);
+    Mat6 m;
+    m.topLeftCorner<3, 3>() = weight * e * e.transpose();
+    m.bottomLeftCorner<3, 3>() = first.cross(e) * e.transpose();
+    m.topRightCorner<3, 3>() = m.bottomLeftCorner<3, 3>().transpose();
+    m.bottomRightCorner<3, 3>() = turn * second * turn.transpose();
+    return m;
+  }
+};
+
 }  // namespace
 
 struct FloatBody::Forces {
@@ -101,15 +132,16 @@ FloatBody::Moving FloatBody::moving(const FloatWater::Motion& water) const noexc
 }
 
 // −½ρ(C/2) S √(v_n² + v₀²) v_n n − ½ρ C_F S |v_t| v_t on each wet face, as −D v with D of the speeds
-// at the start. Faces that look down carry the stiffness: ρg ∫q qᵀ dA of the waterplane, q = (e, r × e),
-// as long as no wet face looks up, and more than it otherwise.
+// at the start. Faces that look down carry the stiffness: ρg ∫q qᵀ dA of the waterplane,
+// q = (e, r × e), as long as no wet face looks up, and more than it otherwise.
 void FloatBody::addFaces(const Velocity& own, const FloatWater::Motion& water,
                          Forces& forces) const noexcept {
   const Vec3 up = pose_.attitude.row(2);
   const double normal = 0.25 * properties_.density * properties_.normalDrag;
   const double along = 0.5 * properties_.density * properties_.friction;
   const double lift = properties_.density * gravity_;
-  const double slow = properties_.slowDrag * std::sqrt(gravity_ * hull_->size());
+  const double slow = properties_.slowDrag * properties_.slowDrag * gravity_ * hull_->size();
+  PointSums rubbed, carried;
   for (const auto& face : faces_) {
     const double size = face.area.norm();
     if (!(size > 0.0)) continue;
@@ -118,16 +150,15 @@ void FloatBody::addFaces(const Velocity& own, const FloatWater::Motion& water,
                          water.gradient * (face.middle - state_.centre);
     const double out = through.dot(n);
     const Vec3 slides = through - out * n;
-    const double c = normal * size * std::hypot(out, slow), f = along * size * slides.norm();
-    Mat3 drag = (c - f) * n * n.transpose();
-    drag.diagonal().array() += f;
-    forces.damping += actingAt(drag, face.middle);
+    const double c = normal * size * std::sqrt(out * out + slow), f = along * size * slides.norm();
+    const Vec6 j = wrenchAt(n, face.middle);
+    forces.damping.noalias() += ((c - f) * j) * j.transpose();
+    rubbed.add(f, face.middle);
     forces.load -= wrenchAt(c * out * n + f * slides, face.middle);
-    const double down = -face.area.dot(up);
-    if (!(down > 0.0)) continue;
-    const Vec6 q = wrenchAt(up, face.middle);
-    forces.stiffness.noalias() += (lift * down) * q * q.transpose();
+    carried.add(lift * std::max(0.0, -face.area.dot(up)), face.middle);
   }
+  forces.damping += rubbed.everyWay();
+  forces.stiffness = carried.along(up);
 }
 
 // What a body that heaves by itself gives to the waves that it makes, by Haskind's relation with the

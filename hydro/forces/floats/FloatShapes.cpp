@@ -206,6 +206,7 @@ Mat3 secondMoments(const SurfaceMesh& closed) {
 }
 
 double overlapOf(std::span<const SurfaceMesh> convex) {
+  if (convex.size() < 2) return 0.0;
   double shared = 0.0, all = 0.0;
   std::vector<Bounds> boxes;
   for (const SurfaceMesh& mesh : convex) boxes.push_back(bounds(mesh));
