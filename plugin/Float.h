@@ -43,11 +43,12 @@ struct FloatSettings {
 ///     cutwater::Float& floating = seaway.addFloat(crate);
 ///
 /// What acts on it besides Bullet's own gravity, forces, contacts and joints:
-///     pressure    of water and undisturbed waves on its wet surface, p = ρg(H − z): buoyancy in any
-///                 attitude, and the waves' push
+///     pressure    of water and undisturbed waves on its wet surface, p = ρg(H − z): buoyancy in
+///                 any attitude, and the waves' push
 ///     added mass  of the ellipsoid like it, times the wet share of its volume, in Bullet's solver
-///                 (AddedMassConstraint): contacts, ropes and blows move body and water. The water's
-///                 own acceleration acts on it, too, so that a body as heavy as water moves with it
+///                 (AddedMassConstraint): contacts, ropes and blows move body and water. The
+///                 water's own acceleration acts on it, too, so that a body as heavy as water
+///                 moves with it
 ///     entry       what of it comes into the water sets that water going: a blow, never a bounce
 ///     drag        of its wet faces through the moving water, and what a body that heaves gives to
 ///                 the waves it makes; both are solved for within the tick and never turn the
@@ -58,8 +59,8 @@ struct FloatSettings {
 /// Not in it: wakes and waves of ships and other floats, what a ship's hull shelters, wind.
 ///
 /// The body is yours. It may be moved, pushed, locked by factors, made static or kinematic (no load
-/// then), given another mass, put to sleep, taken out of the world and put in again. Its shape as it
-/// was in addFloat floats, whatever the body's shape is now. A wet body does not fall asleep in
+/// then), given another mass, put to sleep, taken out of the world and put in again. Its shape as
+/// it was in addFloat floats, whatever the body's shape is now. A wet body does not fall asleep in
 /// waves, nor before it lies still. setLinearVelocity in the water is taken for a blow, which body
 /// and water resist; call velocityWasSet() after it.
 class Float {

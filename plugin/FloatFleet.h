@@ -28,7 +28,7 @@ class FloatFleet {
   /// StepFault bits of all.
   std::uint32_t beginTick(double time, btScalar step) noexcept;
   std::uint32_t endTick() noexcept;
-  /// Its end takes all of ours out of the world, which is there. Otherwise nothing of it is touched.
+  /// Its end takes all of ours out of the world, which is there. Otherwise it touches none of it.
   void worldLives() noexcept { worldLives_ = true; }
 
  private:

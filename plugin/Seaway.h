@@ -102,9 +102,9 @@ class Seaway final {
   /// A body of the user's, in the world, that floats by its shape: crates, buoys, swimmers, ice
   /// (Float.h). 500 of them beside a ship run at 60 Hz on one core. Ships and other floats do not
   /// change the water that it meets.
-  /// @throws HydroError BadArgument: a body that floats here already, is in no world, or whose shape
-  ///         encloses nothing that is known; HullNotClosed, HullInverted: a mesh that is not closed,
-  ///         or inside out; ValueOutOfRange: a setting, or gravity of the world that does not point
+  /// @throws HydroError BadArgument: a body that floats here already, is in no world, or whose
+  ///         shape encloses nothing that is known; HullNotClosed, HullInverted: a mesh that is not
+  ///         closed, or inside out; ValueOutOfRange: a setting, or gravity of the world that does not point
   ///         down or is not the sea's. Nothing has changed then.
   Float& addFloat(btRigidBody& body, const FloatSettings& settings = {});
   /// The body goes on without water. Do so before it is deleted; one that was deleted after it was
@@ -133,8 +133,8 @@ class Seaway final {
   FaultCount faultCount(StepFault bit) const noexcept;
   void clearFaults() noexcept;
 
-  /// Exact state of time, ships and floats, in their order: going on from it gives the same bits, if
-  /// contacts are forgotten both when it is taken and when it is restored (or there are none).
+  /// Exact state of time, ships and floats, in their order: going on from it gives the same bits,
+  /// if contacts are forgotten both when it is taken and when it is restored (or there are none).
   /// Allocates nothing when saved into one of the same ships and floats.  @throws HydroError
   /// BadArgument: other ships, or another number of floats.
   struct Snapshot {

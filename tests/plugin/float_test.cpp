@@ -327,7 +327,7 @@ TEST(FloatIdentity, WorldsWithYUpAndInCentimetresGiveTheSame) {
     return scene.place(one.body());
   };
   const Vec3 metres = run({});
-  // The triangles of a box lie in another order along other axes, which is felt in the drag at 5e-4;
+  // The triangles of a box lie in another order along other axes, felt in the drag at 5e-4;
   // single precision is amplified some hundredfold in ten seconds of a tilted box.
   const double tolerance = 5e-3;
   for (const WorldFrame& frame :

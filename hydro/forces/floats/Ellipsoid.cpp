@@ -10,7 +10,7 @@ namespace {
 constexpr double kRound = 1e-9;  // difference of squares, below which two axes are one
 
 // R_D(x, y, z) = 3/2 ∫_0^∞ dt/(√(t + x) √(t + y) (t + z)^{3/2}), by duplication and the series of
-// fifth order about the mean [Carlson79]; 1e-4 to the sixth power is below round-off.
+// fifth order about the mean [Carlson79]; what is left out is 3 times 1e-3 to the sixth power.
 double carlsonRd(double x, double y, double z) noexcept {
   constexpr double kNear = 1e-3;
   double sum = 0.0, scale = 1.0;

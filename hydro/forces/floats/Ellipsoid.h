@@ -3,7 +3,8 @@
 
 namespace cutwater {
 
-/// What the water adds to an ellipsoid that moves in it, far from any surface [Lamb32], §§ 114, 115.
+/// What the water adds to an ellipsoid that moves in it, far from any surface [Lamb32], §§ 114,
+/// 115.
 ///     const EllipsoidMass water = ellipsoidMass({1.0, 1.0, 1.0}, 1025.0);  // linear: ½ρV
 /// With α_i = abc ∫_0^∞ dλ/((a_i² + λ)Δ), Δ² = Π(a_j² + λ), so that Σα = 2, and V = 4πabc/3,
 ///     along i:   ρV α_i/(2 − α_i)

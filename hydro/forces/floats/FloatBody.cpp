@@ -131,8 +131,8 @@ FloatBody::Moving FloatBody::moving(const FloatWater::Motion& water) const noexc
   return moving;
 }
 
-// −½ρ(C/2) S √(v_n² + v₀²) v_n n − ½ρ C_F S |v_t| v_t on each wet face, as −D v with D of the speeds
-// at the start. Faces that look down carry the stiffness: ρg ∫q qᵀ dA of the waterplane,
+// −½ρ(C/2) S √(v_n² + v₀²) v_n n − ½ρ C_F S |v_t| v_t on each wet face, as −D v with D of the
+// speeds at the start. Faces that look down carry the stiffness: ρg ∫q qᵀ dA of the waterplane,
 // q = (e, r × e), as long as no wet face looks up, and more than it otherwise.
 void FloatBody::addFaces(const Velocity& own, const FloatWater::Motion& water,
                          Forces& forces) const noexcept {
@@ -161,8 +161,8 @@ void FloatBody::addFaces(const Velocity& own, const FloatWater::Motion& water,
   forces.stiffness = carried.along(up);
 }
 
-// What a body that heaves by itself gives to the waves that it makes, by Haskind's relation with the
-// force of long waves on it, X = (ρgA_w − ω²A33) e^{−kd} e^{−(kR)²/8} = ρgA_w m/(m + A33) …:
+// What a body that heaves by itself gives to the waves that it makes, by Haskind's relation with
+// the force of long waves on it, X = (ρgA_w − ω²A33) e^{−kd} e^{−(kR)²/8} = ρgA_w m/(m + A33) …:
 //   B = ½kω|X|²/(ρg²),   ω² = ρgA_w/(m + A33), k = ω²/g, d the depth of the wet middle, A_w = πR²
 // The last factor is the mean of a wave over the waterplane, 2J₁(kR)/(kR), nearly.
 void FloatBody::addRadiation(const Velocity& own, const FloatWater::Motion& water, double mass,
@@ -184,9 +184,9 @@ void FloatBody::addRadiation(const Velocity& own, const FloatWater::Motion& wate
   forces.load -= b * rise * q;
 }
 
-// Momentum of the water that the body moves, less what that water has by itself: p = A(v + Ω × b − u)
-// at b, L = A_r Ω − A_r Ω_w. What acts on the body is its loss. What has come in since had none, what
-// has gone took its own along. The engine does −A(v⁺ − v⁻) of it, the rest is here. Where a tick
+// Momentum of the water that the body moves, less what that water has by itself, at b:
+// p = A(v + Ω × b − u), L = A_r Ω − A_r Ω_w. What acts on the body is its loss. What has come in
+// since had none, what has gone took its own along. The engine does −A(v⁺ − v⁻) of it, the rest is here. Where a tick
 // turns far, p⁻ turns with the body more than it stands still, so that no tick is too long.
 Vec6 FloatBody::lostMomentum(const Moving& now, const Velocity& velocity,
                              double standing) const noexcept {

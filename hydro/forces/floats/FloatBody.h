@@ -16,9 +16,9 @@ struct FloatProperties {
   /// normal. A cube that moves along an edge has C_D = C, a ball ½C, a cylinder across ⅔C.
   double normalDrag = 1.05;
   double friction = 0.005;  ///< C_F of the wetted faces, along them
-  /// v₀ over √(gL), L = V^{1/3}: drag across faces is that of √(v_n² + v₀²) |v_n|. Small swings lose
-  /// more at edges than a steady flow of their speed does (C grows as the Keulegan-Carpenter number
-  /// falls), so that they end.
+  /// v₀ over √(gL), L = V^{1/3}: drag across faces is that of √(v_n² + v₀²) |v_n|. Small swings
+  /// lose more at edges than a steady flow of their speed does (C grows as the Keulegan-Carpenter
+  /// number falls), so that they end.
   double slowDrag = 0.1;
 };
 
@@ -29,7 +29,7 @@ struct FloatProperties {
 ///     ... FloatWater::motion at centre() of each ...
 ///     const FloatBody::Tick tick = body.tick(motion, mass, flow, h);
 /// and then the engine solves (M + tick.inertia)(v⁺ − v⁻) = tick.impulse + its own impulses.
-/// THEORY.md, chapter 15. One thread.
+/// THEORY.md, chapter 13. One thread.
 class FloatBody {
  public:
   FloatBody(std::shared_ptr<const FloatHull> hull, const FloatProperties& properties);
