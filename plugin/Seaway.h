@@ -104,8 +104,8 @@ class Seaway final {
   /// change the water that it meets.
   /// @throws HydroError BadArgument: a body that floats here already, is in no world, or whose
   ///         shape encloses nothing that is known; HullNotClosed, HullInverted: a mesh that is not
-  ///         closed, or inside out; ValueOutOfRange: a setting, or gravity of the world that does not point
-  ///         down or is not the sea's. Nothing has changed then.
+  ///         closed, or inside out; ValueOutOfRange: a setting, or gravity of the world that does
+  ///         not point down or is not the sea's. Nothing has changed then.
   Float& addFloat(btRigidBody& body, const FloatSettings& settings = {});
   /// The body goes on without water. Do so before it is deleted; one that was deleted after it was
   /// taken out of the world is found in the next tick, and not touched any more.

@@ -195,6 +195,25 @@ TEST(FloatIdentity, DragNeverTurnsAVelocityRound) {
   }
 }
 
+// Deep down, without weight: a ball of mass m with a = ½ρV of water runs into a ball of mass m that
+// is no float, without restitution, and both go on at (m + a)/(2m + a) of its speed.
+TEST(FloatClosedForm, ContactsMoveBodyAndWater) {
+  FloatScene scene({}, {}, 0.0);
+  btSphereShape ball(btScalar(0.5));
+  const double a = 0.5 * kRho * kPi / 6.0, mass = 0.8 * kRho * kPi / 6.0;
+  btRigidBody& runs = scene.body(ball, mass, {0.0, 0.0, -50.0});
+  btRigidBody& rests = scene.body(ball, mass, {1.2, 0.0, -50.0});
+  runs.setLinearVelocity(btVector3(1, 0, 0));
+  scene.seaway.addFloat(runs, dragless());
+  scene.run(0.1);
+  EXPECT_NEAR(static_cast<double>(runs.getLinearVelocity().x()), 1.0, 1e-6);
+  scene.run(0.4);
+  const double expected = (mass + a) / (2.0 * mass + a);
+  // (l/(1 + l))^10 of ten sweeps, l = a/m, is 7e-5.
+  EXPECT_NEAR(static_cast<double>(rests.getLinearVelocity().x()), expected, 1e-4);
+  EXPECT_NEAR(static_cast<double>(runs.getLinearVelocity().x()), expected, 1e-4);
+}
+
 // 2.7 g in a ball of 40 mm that may be dropped from 1 m: no tick is too long for it.
 TEST(FloatClosedForm, ATableTennisBallComesToRestAtAnyTick) {
   for (const double tick : {1.0 / 240, 1.0 / 60, 1.0 / 15}) {

@@ -186,8 +186,9 @@ void FloatBody::addRadiation(const Velocity& own, const FloatWater::Motion& wate
 
 // Momentum of the water that the body moves, less what that water has by itself, at b:
 // p = A(v + Ω × b − u), L = A_r Ω − A_r Ω_w. What acts on the body is its loss. What has come in
-// since had none, what has gone took its own along. The engine does −A(v⁺ − v⁻) of it, the rest is here. Where a tick
-// turns far, p⁻ turns with the body more than it stands still, so that no tick is too long.
+// since had none, what has gone took its own along. The engine does −A(v⁺ − v⁻) of it, the rest
+// is here. Where a tick turns far, p⁻ turns with the body more than it stands still, so that no
+// tick is too long.
 Vec6 FloatBody::lostMomentum(const Moving& now, const Velocity& velocity,
                              double standing) const noexcept {
   const double kept = past_.share > share_ ? share_ / past_.share : 1.0;  // of what was wet
