@@ -157,6 +157,8 @@ Ship& Seaway::add(std::shared_ptr<const Hydrodynamics> hydrodynamics, const Ship
     if (own != &ship->body()) continue;
     throw HydroError(Fault::BadArgument, "Seaway::addShip: the body is a ship of this sea already");
   }
+  if (own != nullptr && floatOf(*own) != nullptr)
+    throw HydroError(Fault::BadArgument, "Seaway::addShip: the body is a float of this sea");
   checkGravity(world_.getGravity(), frame_, hydrodynamics->ship().gravity);
   checkSea(*sea_, hydrodynamics->ship().gravity);
   ships_.reserve(ships_.size() + 1);
