@@ -146,6 +146,11 @@ void AddedMassConstraint::setAddedMass(const Mat6& addedMass) noexcept {
   if (!held_) findRows(addedMass_);
 }
 
+void AddedMassConstraint::setMass(const Vec6& mass) noexcept {
+  root_ = mass.cwiseSqrt();
+  if (!held_) findRows(addedMass_);
+}
+
 AddedMassConstraint::TurningAxes AddedMassConstraint::axes() const noexcept {
   if (follows_) return followed_;
   const Mat3 body = fromBullet(m_rbA.getWorldTransform().getBasis());

@@ -75,6 +75,8 @@ class AddedMassConstraint : public btTypedConstraint {
   void change(const Change& change) noexcept;
   /// A∞ is this, and was it at v⁻: nothing has changed.
   void setAddedMass(const Mat6& addedMass) noexcept;
+  /// The body's M has changed [kg, kg·m²], diagonal in its axes, > 0.
+  void setMass(const Vec6& mass) noexcept;
   /// V [units/s] in the world's axes. Without it V = 0.
   void setMean(const btVector3& velocity) noexcept { mean_ = fromBullet(velocity); }
   /// Off: it applies nothing until it is on again, when what happened before is not felt.

@@ -16,6 +16,8 @@ std::unique_ptr<ComingSea> makeComingSea(const SeaChange::Order& order) {
   coming->both = order.both;
   coming->next = order.next;
   coming->seconds = order.seconds;
+  coming->floatsInBoth = std::make_unique<FloatSea>(order.both);
+  coming->floatsInNext = std::make_unique<FloatSea>(order.next);
   for (const auto& kind : order.kinds) {
     coming->tablesInNext.push_back(
         std::make_shared<const SeaTables>(kind->hydrodynamics(), order.next));

@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "plugin/FloatFleet.h"
 #include "plugin/ShipSea.h"
 
 CUTWATER_PLUGIN_BEGIN
@@ -18,6 +19,7 @@ struct ComingSea {
   double until = 0.0;    ///< time [s] at which it has
   std::vector<std::shared_ptr<const SeaTables>> tablesInBoth, tablesInNext;  ///< one for each kind
   std::vector<ShipSea> shipsInBoth, shipsInNext;  ///< in the order of the ships
+  std::unique_ptr<FloatSea> floatsInBoth, floatsInNext;
 
   /// Components of the next sea: the last ones of both.
   SharedWaves ofNext() const noexcept {

@@ -9,6 +9,7 @@
 #include "hydro/Errors.h"
 #include "hydro/forces/Hydrodynamics.h"
 #include "hydro/forces/SeaTables.h"
+#include "plugin/FloatFleet.h"
 #include "plugin/SeaChange.h"
 #include "plugin/SeaView.h"
 #include "plugin/SettingsCheck.h"
@@ -118,6 +119,7 @@ Seaway::Seaway(btDiscreteDynamicsWorld& world, SeaState sea, const WorldFrame& f
       frame_(checked(frame)),
       seaKey_(sea_->key()),
       watch_(std::make_shared<SeaWatch>(sea_, frame_)),
+      floats_(std::make_unique<FloatFleet>(world_, frame_, sea_)),
       listener_(std::make_unique<Listener>(*this)),
       hook_(std::make_unique<WorldHook>(world, *listener_)) {}
 
@@ -130,6 +132,7 @@ Seaway::~Seaway() {
   if (!worldLives()) return;
   hook_->worldLives();
   for (const auto& ship : ships_) ship->worldLives();
+  floats_->worldLives();
 }
 
 void Seaway::setThreads(unsigned threads) {
@@ -158,6 +161,8 @@ Ship& Seaway::add(std::shared_ptr<const Hydrodynamics> hydrodynamics, const Ship
     if (own != &ship->body()) continue;
     throw HydroError(Fault::BadArgument, "Seaway::addShip: the body is a ship of this sea already");
   }
+  if (own != nullptr && floatOf(*own) != nullptr)
+    throw HydroError(Fault::BadArgument, "Seaway::addShip: the body is a float of this sea");
   checkGravity(world_.getGravity(), frame_, hydrodynamics->ship().gravity);
   checkSea(*sea_, hydrodynamics->ship().gravity, "Seaway::addShip");
   waitForSea();
@@ -231,6 +236,20 @@ void Seaway::removeShip(Ship& ship) {
   std::erase_if(tables_, [](const auto& tables) { return tables.use_count() == 1; });
 }
 
+Float& Seaway::addFloat(btRigidBody& body, const FloatSettings& settings) {
+  if (shipOf(body) != nullptr)
+    throw HydroError(Fault::BadArgument, "Seaway::addFloat: the body is a ship of this sea");
+  return floats_->add(body, settings);
+}
+
+void Seaway::removeFloat(Float& floating) { floats_->remove(floating); }
+
+Float* Seaway::floatOf(const btCollisionObject& body) const noexcept { return floats_->of(body); }
+
+const std::vector<std::unique_ptr<Float>>& Seaway::floats() const noexcept {
+  return floats_->floats();
+}
+
 btVector3 Seaway::waterAt(const btVector3& place) const noexcept {
   Vec3 at = frame_.placeToEarth(place);
   at.z() = waveHeight(at.x(), at.y());
@@ -255,6 +274,7 @@ void Seaway::setSea(SeaState next, double fadeSeconds) {
     }
     order.ships.push_back(ship->seaOrder());
   }
+  floats_->checkSea(*order.next);
   if (!change_) change_ = std::make_unique<SeaChange>();
   change_->make(std::move(order));
 }
@@ -280,6 +300,7 @@ void Seaway::enterComing() {
   made->until = time_ + made->seconds;
   const SharedWaves shared{0, sea_->components().size(), 0};
   for (std::size_t i = 0; i < ships_.size(); ++i) ships_[i]->enterSea(made->shipsInBoth[i], shared);
+  floats_->enterSea(made->floatsInBoth);
   tables_.swap(made->tablesInBoth);
   setShared(made->both);
   coming_.swap(made);
@@ -290,6 +311,7 @@ void Seaway::enterNext() noexcept {
   const SharedWaves shared = coming_->ofNext();
   for (std::size_t i = 0; i < ships_.size(); ++i)
     ships_[i]->enterSea(coming_->shipsInNext[i], shared);
+  floats_->enterSea(coming_->floatsInNext);
   tables_.swap(coming_->tablesInNext);
   setShared(coming_->next);
   change_->free(std::move(coming_));
@@ -323,6 +345,8 @@ void Seaway::save(Snapshot& snapshot) const {
   snapshot.seaKey = seaKey_;
   snapshot.ships.resize(ships_.size());
   for (std::size_t i = 0; i < ships_.size(); ++i) ships_[i]->save(snapshot.ships[i]);
+  snapshot.floats.resize(floats().size());
+  for (std::size_t i = 0; i < floats().size(); ++i) floats()[i]->save(snapshot.floats[i]);
 }
 
 void Seaway::restore(const Snapshot& snapshot) {
@@ -335,7 +359,13 @@ void Seaway::restore(const Snapshot& snapshot) {
     throw HydroError(Fault::BadArgument,
                      "Seaway::restore: the snapshot was taken in another sea than this one");
   }
+  if (snapshot.floats.size() != floats().size()) {
+    throw HydroError(Fault::BadArgument,
+                     "Seaway::restore: snapshot has " + std::to_string(snapshot.floats.size()) +
+                         " floats, here are " + std::to_string(floats().size()));
+  }
   for (std::size_t i = 0; i < ships_.size(); ++i) ships_[i]->restore(snapshot.ships[i]);
+  for (std::size_t i = 0; i < floats().size(); ++i) floats()[i]->restore(snapshot.floats[i]);
   time_ = snapshot.time;
   watch_->set(nullptr, time_);
 }
@@ -388,10 +418,12 @@ void Seaway::beforeTick(btScalar step) noexcept {
     for (std::size_t i = 0; i < ships_.size(); ++i) one(this, i);
   }
   for (std::size_t i = 0; i < ships_.size(); ++i) raise(shipFaults_[i]);
+  raise(floats_->beginTick(time_, step));
 }
 
 void Seaway::afterTick(btScalar step) noexcept {
   for (const auto& ship : ships_) raise(ship->endTick(step));
+  raise(floats_->endTick());
   for (TickObserver* observer : observers_) observer->tickDone(*this);
   if (std::isfinite(step)) time_ += static_cast<double>(step);
   watch_->set(nullptr, time_);

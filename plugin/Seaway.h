@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "hydro/Errors.h"
+#include "plugin/Float.h"
 #include "plugin/Ship.h"
 
 CUTWATER_PLUGIN_BEGIN
 
+class FloatFleet;
 class SeaChange;
 struct ComingSea;
 class SeaView;
@@ -100,6 +102,23 @@ class Seaway final {
   /// the first tick, which then takes no longer than others.  @throws HydroError ValueOutOfRange.
   void prepare(double step);
   const std::vector<std::unique_ptr<Ship>>& ships() const noexcept { return ships_; }
+
+  /// A body of the user's, in the world, that floats by its shape: crates, buoys, swimmers, ice
+  /// (Float.h). 500 of them beside a ship run at 60 Hz on one core. Ships and other floats do not
+  /// change the water that it meets.
+  /// @throws HydroError BadArgument: a body that floats here already, is in no world, or whose
+  ///         shape encloses nothing that is known; HullNotClosed, HullInverted: a mesh that is not
+  ///         closed, or inside out; ValueOutOfRange: a setting, or gravity of the world that does
+  ///         not point down or is not the sea's. Nothing has changed then.
+  Float& addFloat(btRigidBody& body, const FloatSettings& settings = {});
+  /// The body goes on without water. Do so before it is deleted; one that was deleted after it was
+  /// taken out of the world is found in the next tick, and not touched any more.
+  /// @throws HydroError BadArgument: it is no float of this sea.
+  void removeFloat(Float& floating);
+  /// The float of a body, for example of one in a contact; null: it is none of this sea.
+  Float* floatOf(const btCollisionObject& body) const noexcept;
+  const std::vector<std::unique_ptr<Float>>& floats() const noexcept;
+
   /// How many threads evaluate the ships' loads; 1 unless set. The same bits for any number.
   void setThreads(unsigned threads);
 
@@ -139,16 +158,16 @@ class Seaway final {
   FaultCount faultCount(StepFault bit) const noexcept;
   void clearFaults() noexcept;
 
-  /// Exact state of time and ships, in their order: going on from it gives the same bits, if
-  /// contacts are forgotten both when it is taken and when it is restored (or there are none). It
-  /// belongs to the sea of its moment: within a change of seas it may be restored until that is
-  /// over.
-  /// Allocates nothing when saved into one of the same ships.  @throws HydroError BadArgument:
-  /// other ships, another sea.
+  /// Exact state of time, ships and floats, in their order: going on from it gives the same bits,
+  /// if contacts are forgotten both when it is taken and when it is restored (or there are none).
+  /// It belongs to the sea of its moment: within a change of seas it may be restored until that is
+  /// over. Allocates nothing when saved into one of the same ships and floats.
+  /// @throws HydroError BadArgument: other ships, another number of floats, another sea.
   struct Snapshot {
     double time = 0.0;
     std::uint64_t seaKey = 0;  ///< SeaState::key
     std::vector<Ship::Snapshot> ships;
+    std::vector<Float::Snapshot> floats;
 
     /// For a file or another process with the same precision of Bullet, which goes on with the same
     /// bits. Little-endian, with a version and a checksum.
@@ -165,7 +184,7 @@ class Seaway final {
   void forgetContacts();
 
   /// Draws waterlines, the parts of the load (1 m for 1 % of the ship's weight) and a grid of waves
-  /// around each ship. btCollisionWorld::debugDrawWorld calls it.
+  /// around each ship; waterlines of floats. btCollisionWorld::debugDrawWorld calls it.
   void debugDraw(btIDebugDraw& drawer) const;
 
   /// Observers must outlive the Seaway or be removed.
@@ -202,6 +221,7 @@ class Seaway final {
   std::unique_ptr<ComingSea> coming_;      // the change that goes on; null: none
   std::vector<std::uint32_t> shipFaults_;  // of this tick
   std::vector<TickObserver*> observers_;
+  std::unique_ptr<FloatFleet> floats_;
   std::unique_ptr<ThreadPool> pool_;
   std::shared_ptr<SeaWatch> watch_;  // sea and time as views see them
   std::unique_ptr<Listener> listener_;

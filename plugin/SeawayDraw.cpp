@@ -85,6 +85,12 @@ void Seaway::debugDraw(btIDebugDraw& drawer) const {
     drawWaterline(drawer, *ship, *this);
     drawForces(drawer, *ship, frame_);
   }
+  for (const auto& one : floats()) {
+    for (const auto& [a, b] : one->waterline()) {
+      if (a.allFinite() && b.allFinite())
+        drawer.drawLine(frame_.place(a), frame_.place(b), btVector3(1, 1, 1));
+    }
+  }
 }
 
 CUTWATER_PLUGIN_END

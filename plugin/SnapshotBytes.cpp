@@ -60,16 +60,36 @@ void visitFields(Visitor& v, Snapshot& s) {
 }
 
 template <class Visitor, class Snapshot>
+requires std::same_as<std::remove_const_t<Snapshot>, Float::Snapshot>
+void visitFields(Visitor& v, Snapshot& s) {
+  v.field("inWorld", s.inWorld);
+  v.field("transform", s.transform);
+  v.field("interpolated", s.interpolated);
+  v.field("velocities", s.velocities);
+  v.field("past", s.past);
+  v.field("known", s.known);
+  v.field("knownAt", s.knownAt);
+  v.field("activation", s.activation);
+  v.field("now", s.now);
+  v.field("stillFor", s.stillFor);
+  v.field("share", s.share);
+  v.field("addedMass", s.addedMass);
+  v.field("momentum", s.momentum);
+  v.field("begun", s.begun);
+}
+
+template <class Visitor, class Snapshot>
 requires std::same_as<std::remove_const_t<Snapshot>, Seaway::Snapshot>
 void visitFields(Visitor& v, Snapshot& s) {
   v.field("time", s.time);
   v.field("seaKey", s.seaKey);
   v.field("ships", s.ships);
+  v.field("floats", s.floats);
 }
 
 template <class T>
 concept HasFields = std::same_as<T, TickRecord> || std::same_as<T, Ship::Snapshot> ||
-    std::same_as<T, Seaway::Snapshot>;
+    std::same_as<T, Float::Snapshot> || std::same_as<T, Seaway::Snapshot>;
 
 template <class Visitor, class T>
 void visit(Visitor& v, T& value);
@@ -276,6 +296,13 @@ std::span<const std::byte> checkedFields(std::span<const std::byte> bytes) {
   return bytes.subspan(kHeaderSize, there);
 }
 
+void check(const Float::Snapshot& one) {
+  constexpr int kLastOfFloat = 3;
+  if (one.activation < ACTIVE_TAG || one.activation > DISABLE_SIMULATION || one.now < 0 ||
+      one.now > kLastOfFloat)
+    refuse(Fault::FileMalformed, "a float's activation is no word of Bullet's or of ours");
+}
+
 // What restore() takes as it is: sizes that it walks through, and numbers that stand for words.
 void check(const Ship::Snapshot& ship) {
   constexpr int kLastWord = 2;  // of what a ship does in a tick
@@ -317,6 +344,7 @@ Seaway::Snapshot Seaway::Snapshot::fromBytes(std::span<const std::byte> bytes) {
     refuse(Fault::FileMalformed, std::to_string(reader.left()) + " bytes too many");
   }
   for (const Ship::Snapshot& ship : snapshot.ships) check(ship);
+  for (const Float::Snapshot& one : snapshot.floats) check(one);
   return snapshot;
 }
 

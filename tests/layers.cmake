@@ -60,7 +60,8 @@ set(may_hydro/response hydro/waves hydro/ship hydro/database hydro/excitation)
 set(may_hydro/files    ${geometry} hydro/geometry/repair hydro/geometry/anyhull hydro/ship
                        hydro/database)
 set(may_plugin         ${may_hydro/forces} hydro/forces hydro/forces/linear hydro/forces/nonlinear
-                       hydro/forces/drift hydro/forces/manoeuvring hydro/forces/appendages)
+                       hydro/forces/drift hydro/forces/manoeuvring hydro/forces/appendages
+                       hydro/forces/floats)
 set(may_demos "hydro/.+" plugin "demos/.+")  # patterns
 set(may_tests "hydro/.+" "tests/.+")
 # The tests that may see the plugin, and with it Bullet.

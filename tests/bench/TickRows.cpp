@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "demos/scenes/BulletWorld.h"
 #include "hydro/forces/Hydrodynamics.h"
@@ -302,6 +303,56 @@ void benchWetted(std::string& csv, const Shared& c, ShipSettings settings) {
   }
 }
 
+/// Crates or barrels on a lattice in the water, beside whatever is in the world.
+struct Crates {
+  Crates(Fleet& fleet, btCollisionShape& shape, int count) : fleet_(fleet) {
+    btVector3 inertia;
+    shape.calculateLocalInertia(500, inertia);
+    for (int i = 0; i < count; ++i) {
+      bodies_.push_back(std::make_unique<btRigidBody>(btScalar(500), nullptr, &shape, inertia));
+      bodies_.back()->setWorldTransform(
+          btTransform(btQuaternion::getIdentity(),
+                      btVector3(btScalar(4 * (i % 25)), btScalar(40 + 4 * (i / 25)), 0)));
+      fleet.bullet.world.addRigidBody(bodies_.back().get());
+      fleet.seaway.addFloat(*bodies_.back());
+    }
+  }
+  ~Crates() {
+    for (const auto& body : bodies_) fleet_.bullet.world.removeRigidBody(body.get());
+  }
+  Fleet& fleet_;
+  std::vector<std::unique_ptr<btRigidBody>> bodies_;
+};
+
+/// One second of bodies that float beside a ship at 60 Hz, Bullet and ship included; the floor is
+/// Bullet with as many plain bodies.
+void benchFloats(std::string& csv, const Shared& c, ShipSettings settings) {
+  constexpr int kTicks = 60, kCount = 500;
+  settings.model.mode = HullPressure::Nonlinear;
+  btBoxShape crate(btVector3(btScalar(0.5), btScalar(0.5), btScalar(0.5)));
+  btCylinderShapeZ barrel(btVector3(btScalar(0.5), btScalar(0.5), btScalar(0.6)));
+  btSphereShape buoy(btScalar(0.6));
+  const std::pair<const char*, btCollisionShape*> shapes[] = {
+      {"crates", &crate}, {"barrels", &barrel}, {"ball buoys", &buoy}};
+  for (const auto& [name, shape] : shapes) {
+    for (const int components : {100, 200}) {
+      Fleet fleet(c, 1, components, settings);
+      const Crates crates(fleet, *shape, kCount);
+      Row row = rowOf(std::to_string(kCount) + " " + name + " beside a ship at 60 Hz, " +
+                          std::to_string(components) + " wave components, one core",
+                      c);
+      fleet.step(30, kTick60);
+      const Time time = timeOf([&] { fleet.step(kTicks, kTick60); });
+      row.seconds = time.seconds;
+      row.processor = time.processor;
+      row.floor = drySeconds(kCount + 1, kTicks);
+      row.budget = 1.0;
+      for (const auto& one : fleet.seaway.floats()) row.checksum += one->immersion() / kCount;
+      add(csv, row);
+    }
+  }
+}
+
 }  // namespace
 
 void benchTimeDomain(std::string& csv, const Coefficients& coefficients) {
@@ -327,6 +378,7 @@ void benchTimeDomain(std::string& csv, const Coefficients& coefficients) {
   benchTick(csv, "linear ship and Bullet, one tick, 200 wave components", c, 200, 0.0, fixed);
   benchTick(csv, "linear ship and Bullet, one tick, regular wave", c, 1, 0.0, fixed);
   benchWetted(csv, c, free);
+  benchFloats(csv, c, free);
   benchParts(csv, c);
   for (const int ships : {1, 10, 100}) {
     benchFleet(csv, std::to_string(ships) + " linear ships at 60 Hz, one core", c, ships, 20,

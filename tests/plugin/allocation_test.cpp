@@ -3,7 +3,9 @@
 
 #include <atomic>
 #include <cstdlib>
+#include <memory>
 #include <new>
+#include <vector>
 
 #include "plugin/Recorder.h"
 #include "tests/plugin/TestShip.h"
@@ -81,6 +83,41 @@ TEST(Allocation, NoneWhereSeasChange) {
     for (int i = 0; i < 200; ++i) world.world.stepSimulation(tick, 1, tick);
     EXPECT_EQ(allocations - before, 0);
     EXPECT_FALSE(seaway.seaIsChanging());
+  }
+  btAlignedAllocSetCustom(nullptr, nullptr);
+}
+
+// Bodies that float, in waves: some of them fall in, one is held, one asleep.
+TEST(Allocation, NoneInATickOfFloats) {
+  btAlignedAllocSetCustom(countedForBullet, std::free);
+  {
+    TestWorld world(kSphereGravity);
+    btBoxShape shape(btVector3(1, 1, 1));
+    Seaway seaway(world.world, SeaState({{.omega = 1.0, .amplitude = 0.5, .heading = 2.0}},
+                                        kSphereGravity, 5.0));
+    std::vector<std::unique_ptr<btRigidBody>> bodies;
+    for (int i = 0; i < 5; ++i) {
+      bodies.push_back(
+          std::make_unique<btRigidBody>(btScalar(4000), nullptr, &shape, btVector3(3e3, 3e3, 3e3)));
+      bodies.back()->setCenterOfMassTransform(
+          btTransform(btQuaternion::getIdentity(), btVector3(btScalar(8 * i), 0, btScalar(i))));
+      world.world.addRigidBody(bodies.back().get());
+      seaway.addFloat(*bodies.back());
+    }
+    bodies[3]->forceActivationState(DISABLE_SIMULATION);
+    bodies[4]->forceActivationState(ISLAND_SLEEPING);
+    const btScalar tick = btScalar(1) / 64;
+    const auto ours = [] { return allocations - bullets; };
+    const long first = ours();
+    for (int i = 0; i < 10; ++i) world.world.stepSimulation(tick, 1, tick);
+    EXPECT_EQ(ours() - first, 0);
+    Seaway::Snapshot snapshot = seaway.save();
+    const long before = allocations;
+    for (int i = 0; i < 500; ++i) world.world.stepSimulation(tick, 1, tick);
+    seaway.save(snapshot);
+    seaway.restore(snapshot);
+    EXPECT_EQ(allocations - before, 0);
+    for (const auto& body : bodies) world.world.removeRigidBody(body.get());
   }
   btAlignedAllocSetCustom(nullptr, nullptr);
 }

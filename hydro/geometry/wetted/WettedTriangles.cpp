@@ -316,6 +316,32 @@ void WettedTriangles::measure(const Vec3& up, State& state) const noexcept {
       sums.volume > 0.0 ? Vec3((sums.first + 0.5 * sums.second * up) / sums.volume) : Vec3::Zero();
 }
 
+void WettedTriangles::wetFaces(const State& state, std::vector<WetFace>& faces) const noexcept {
+  faces.clear();
+  const double* depth = state.depth.data();
+  const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& area) {
+    faces.push_back({(a + b + c) / 3.0, area});
+  };
+  const auto at = [this](int v) -> const Vec3& { return places_[static_cast<std::size_t>(v)]; };
+  for (const Triangle& t : triangles_) {
+    const int wet = (depth[t.v[0]] > 0.0) + (depth[t.v[1]] > 0.0) + (depth[t.v[2]] > 0.0);
+    if (wet == 0) continue;
+    if (wet == 3) {
+      add(at(t.v[0]), at(t.v[1]), at(t.v[2]), t.area);
+      continue;
+    }
+    const Piece piece = pieceOf(t, wet, state);
+    const Vec3 &ab = piece.ab.at.r, &ac = piece.ac.at.r, &first = at(piece.wet[0]);
+    if (piece.wet[1] < 0) {
+      add(first, ab, ac, piece.first * t.area);
+    } else {
+      const Vec3& second = at(piece.wet[1]);
+      add(ab, first, second, piece.first * t.area);
+      add(ab, second, ac, piece.second * t.area);
+    }
+  }
+}
+
 void WettedTriangles::cut(const Vec3& up, State& state) const noexcept {
   press(up, Vec6::Zero(), state);
   measure(up, state);

@@ -82,6 +82,15 @@ class WettedTriangles {
   /// Both, of a hull that does not move.
   void cut(const Vec3& up, State& state) const noexcept;
 
+  /// A wet triangle, or a triangle of what is wet of one.
+  struct WetFace {
+    Vec3 middle;  ///< mean of its corners [m]
+    Vec3 area;    ///< n S [m²]
+  };
+  /// All of them, in the order of the triangles. Depths alone are looked at. Allocates nothing if
+  /// there is room for two a triangle.
+  void wetFaces(const State& state, std::vector<WetFace>& faces) const noexcept;
+
  private:
   struct Triangle {
     std::array<int, 3> v{};

@@ -5,7 +5,7 @@ import { makeLinearTrack, makeTrack } from "./motion.js";
 
 const same = (a, b) => {
   if (!a || !b) return !a && !b;
-  const keys = ["omega", "amplitude", "phase", "heading", "k"];
+  const keys = ["omega", "amplitude", "phase", "heading"];
   return (
     (a.ramp ?? 0) === (b.ramp ?? 0) &&
     keys.every((key) => a[key].length === b[key].length && a[key].every((v, i) => v === b[key][i]))
