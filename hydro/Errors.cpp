@@ -13,7 +13,7 @@ struct FaultRow {
 };
 
 // In the order of the bits.
-constexpr std::array<FaultRow, 16> kFaults{{
+constexpr std::array<FaultRow, 18> kFaults{{
     {kLoadNotFinite, "kLoadNotFinite", "a load was not finite and was not applied"},
     {kStateNotFinite, "kStateNotFinite", "the ship's position or velocity was not finite"},
     {kTickLengthChanged, "kTickLengthChanged",
@@ -39,6 +39,10 @@ constexpr std::array<FaultRow, 16> kFaults{{
     {kFarFromCourse, "kFarFromCourse",
      "the ship was far from the mean place where its waves are taken"},
     {kCourseBegan, "kCourseBegan", "the ship was set elsewhere, and its mean course began there"},
+    {kLoadedBeyondLinear, "kLoadedBeyondLinear",
+     "the ship carried more than 5 % of its own mass beside it, too much for linear mode"},
+    {kFoundered, "kFoundered",
+     "the ship was wholly under water and heavier than what it displaces: it goes down"},
 }};
 
 const FaultRow* find(std::uint32_t bit) noexcept {

@@ -80,12 +80,17 @@ enum StepFault : std::uint32_t {
   kOutOfWater = 1u << 13,     ///< the whole hull is above the waves, or below them
   kFarFromCourse = 1u << 14,  ///< far from the mean place where waves are taken (Ship::offCourse)
   kCourseBegan = 1u << 15,    ///< somebody set the body elsewhere: its mean course began there
+  /// In linear mode a ship carries more than 5 % of its own mass beside it (Ship::setWeights,
+  /// addCompartment): its draught, heel and stability by C are those of small changes.
+  kLoadedBeyondLinear = 1u << 20,
+  kFoundered = 1u << 21,  ///< wholly under water, and heavier than the water it displaces
 };
 
 /// The bits after which a run may go on.
 inline constexpr std::uint32_t kWarningBits =
     kTickLengthChanged | kSpeedOutsideTheory | kTickTooLong | kMassChanged | kGravityChanged |
-    kAttitudeOutsideTheory | kOutOfWater | kFarFromCourse | kCourseBegan;
+    kAttitudeOutsideTheory | kOutOfWater | kFarFromCourse | kCourseBegan | kLoadedBeyondLinear |
+    kFoundered;
 
 /// What the bits say in plain English, one phrase a bit, joined by "; ". A bit that has no meaning
 /// is told by its number; "" for none.

@@ -114,6 +114,7 @@ Seaway::Seaway(btDiscreteDynamicsWorld& world, SeaState sea, const WorldFrame& f
     : world_(checked(world)),
       sea_(std::make_shared<const SeaState>(std::move(sea))),
       frame_(checked(frame)),
+      firstLevel_(frame.seaLevel),
       listener_(std::make_unique<Listener>(*this)),
       hook_(std::make_unique<WorldHook>(world, *listener_)) {}
 
@@ -160,6 +161,7 @@ Ship& Seaway::add(std::shared_ptr<const Hydrodynamics> hydrodynamics, const Ship
   shipFaults_.resize(ships_.size() + 1);
   auto ship =
       std::make_unique<Ship>(world_, frame_, tablesOf(std::move(hydrodynamics)), settings, own);
+  ship->setWater(frame_.seaLevel, calm_.now);
   if (preparedFor_ > 0.0) ship->prepare(preparedFor_);
   return *ships_.emplace_back(std::move(ship));
 }
@@ -226,6 +228,7 @@ Seaway::Snapshot Seaway::save() const {
 
 void Seaway::save(Snapshot& snapshot) const {
   snapshot.time = time_;
+  saveCalmLevel(snapshot);
   snapshot.ships.resize(ships_.size());
   for (std::size_t i = 0; i < ships_.size(); ++i) ships_[i]->save(snapshot.ships[i]);
 }
@@ -236,6 +239,7 @@ void Seaway::restore(const Snapshot& snapshot) {
                                              std::to_string(snapshot.ships.size()) +
                                              " ships, here are " + std::to_string(ships_.size()));
   }
+  restoreCalmLevel(snapshot);
   for (std::size_t i = 0; i < ships_.size(); ++i) ships_[i]->restore(snapshot.ships[i]);
   time_ = snapshot.time;
 }
@@ -276,6 +280,7 @@ void Seaway::clearFaults() noexcept {
 void Seaway::beforeTick(btScalar step) noexcept {
   if (!solverCarriesAddedMass(world_)) raise(kSolverNotSupported);
   step_ = step;
+  beginCalmLevel(static_cast<double>(step));
   for (const auto& ship : ships_) raise(ship->keepConstraints());
   const auto one = [](void* self, std::size_t i) {
     auto& s = *static_cast<Seaway*>(self);
@@ -291,6 +296,7 @@ void Seaway::beforeTick(btScalar step) noexcept {
 
 void Seaway::afterTick(btScalar step) noexcept {
   for (const auto& ship : ships_) raise(ship->endTick(step));
+  endCalmLevel(static_cast<double>(step));
   for (TickObserver* observer : observers_) observer->tickDone(*this);
   if (std::isfinite(step)) time_ += static_cast<double>(step);
   tickFaults_ = kStepOk;
