@@ -117,7 +117,9 @@ struct StandingBox {
 BoxFill fillBoxTo(const Vec3& size, double height, const Vec3& up) noexcept {
   const StandingBox box(size, up);
   const double t = std::clamp(height + 0.5 * box.top(), 0.0, box.top());
-  return box.seenFromMiddle(box.below(t), t, up);
+  BoxFill fill = box.seenFromMiddle(box.below(t), t, up);
+  if (t == box.top()) fill.volume = box.whole();
+  return fill;
 }
 
 BoxFill fillBox(const Vec3& size, double volume, const Vec3& up) noexcept {
@@ -125,7 +127,7 @@ BoxFill fillBox(const Vec3& size, double volume, const Vec3& up) noexcept {
   const double whole = box.whole();
   const double wanted = volume > 0.0 ? std::min(volume, whole) : 0.0;
   if (wanted == 0.0) return box.seenFromMiddle({}, 0.0, up);
-  if (wanted == whole) return box.seenFromMiddle(box.below(box.top()), box.top(), up);
+  if (wanted == whole) return fillBoxTo(size, box.top(), up);
   double low = 0.0, high = box.top(), t = high * wanted / whole;
   ColumnSums sums;
   for (int step = 0; step < kMostSteps; ++step) {

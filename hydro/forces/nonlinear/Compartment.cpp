@@ -125,7 +125,7 @@ double Compartment::through(const Opening& opening, const Place& ship, double se
     return std::clamp(volume, std::min(volume_, level), std::max(volume_, level));
   };
   const double half = held(volume_ + 0.5 * step * rate(volume_));
-  return held(volume_ + step * rate(half)) - volume_;
+  return (half == level ? level : held(volume_ + step * rate(half))) - volume_;
 }
 
 void Compartment::flow(const Place& ship, double time, double step, double gravity,
