@@ -186,7 +186,7 @@ void AddedMassConstraint::endTick() noexcept {
   if (!carries_) return;
   pastBody_ = body_;
   carriedKept_ = carried_;
-  carriedChange_ = momentumOfCarried() - carriedBefore_;
+  carriedChange_ = momentumOfCarried() - carriedBefore_ + given_;
 }
 
 void AddedMassConstraint::forgetPast() noexcept {
@@ -332,8 +332,9 @@ void AddedMassConstraint::giveWhatNoRowCarries() noexcept {
     rest.head<3>() -= share * row.linear;
     rest.tail<3>() -= share * row.angular;
   }
-  m_rbA.applyCentralImpulse(toBullet(Vec3(now.linear * rest.head<3>())));
-  m_rbA.applyTorqueImpulse(toBullet(Vec3(now.angular * rest.tail<3>())));
+  given_ << now.linear * rest.head<3>(), now.angular * rest.tail<3>();
+  m_rbA.applyCentralImpulse(toBullet(Vec3(given_.head<3>())));
+  m_rbA.applyTorqueImpulse(toBullet(Vec3(given_.tail<3>())));
 }
 
 // Nothing is returned or met: A∞ is as it was, and so are its axes.
@@ -345,6 +346,7 @@ bool AddedMassConstraint::stands(const TurningAxes& now) const noexcept {
 void AddedMassConstraint::beginTick(btScalar step) noexcept {
   step_ = step;
   solved_ = axes();  // Bullet asks for no rows where there are none
+  given_.setZero();
   if (carries_) {
     body_ = fromBullet(m_rbA.getWorldTransform().getBasis());
     carriedBefore_ = momentumOfCarried();

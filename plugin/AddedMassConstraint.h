@@ -88,8 +88,8 @@ class AddedMassConstraint : public btTypedConstraint {
   void setCarried(const Mat6& mass, const Mat3& pastBody) noexcept;
   /// Body axes in the world's at v⁻.
   const Mat3& pastBody() const noexcept { return pastBody_; }
-  /// What the last tick's L took of the solver's impulse: R L Rᵀ(v⁺ − V) less what it had before
-  /// [units of momentum], in the world's axes.
+  /// What the last tick's L took of the solver's impulse: R L Rᵀ(v⁺ − V) less what it had before,
+  /// with what no row could give it [units of momentum], in the world's axes.
   const Vec6& carriedChange() const noexcept { return carriedChange_; }
   /// V [units/s] in the world's axes. Without it V = 0.
   void setMean(const btVector3& velocity) noexcept { mean_ = fromBullet(velocity); }
@@ -171,6 +171,7 @@ class AddedMassConstraint : public btTypedConstraint {
   Mat3 body_ = Mat3::Identity(), pastBody_ = Mat3::Identity();
   bool carries_ = false;
   Vec6 carriedBefore_ = Vec6::Zero(), carriedChange_ = Vec6::Zero();  // in W
+  Vec6 given_ = Vec6::Zero();  // impulse of the tick under way that no row carries, in W
   btJointFeedback feedback_;
 };
 

@@ -21,8 +21,7 @@ constexpr double kHighestLevel = 1e5;  // [m]
 }  // namespace
 
 void Seaway::setCalmLevel(double height, double rate) {
-  if (!(std::abs(height) <= kHighestLevel))
-    refuseLevel("height", height, "must be in -1e5..1e5 m");
+  if (!(std::abs(height) <= kHighestLevel)) refuseLevel("height", height, "must be in -1e5..1e5 m");
   if (!(rate > 0.0))
     refuseLevel("rate", rate, "must be positive [m/s], both ways, or infinity for at once");
   calm_.wanted = height;

@@ -92,9 +92,9 @@ struct Wetted {
 
 /// A ship with all that it carries (Ship::loading).
 struct LoadedShip {
-  double mass = 0.0;             ///< [kg]
-  Vec3 cog = Vec3::Zero();       ///< its centre of gravity in hull axes (Ship::pointMotion) [m]
-  Mat3 inertia = Mat3::Zero();   ///< about that centre, in B [kg·m²]
+  double mass = 0.0;            ///< [kg]
+  Vec3 cog = Vec3::Zero();      ///< its centre of gravity in hull axes (Ship::pointMotion) [m]
+  Mat3 inertia = Mat3::Zero();  ///< about that centre, in B [kg·m²]
 };
 
 /// roll, pitch, yaw [rad] of R = R_z(yaw) R_y(pitch) R_x(roll); finite for every rotation.

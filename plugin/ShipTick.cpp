@@ -288,10 +288,10 @@ void Ship::aimRestraint(double step) noexcept {
   if (!rig_->restraint.lent) return;
   const MeanCourse::Place next = line_.ahead(step);
   const Mat3 course = rotationZ(line_.heading()), heading = rotationZ(this->heading());
-  const Vec3 way = course.transpose() *
-                   (Vec3(next.x, next.y, coefficients().ship.cog.z() + waterRate_ * step) -
-                    record_.position) /
-                   (step * frame_.metresPerUnit);
+  const Vec3 way =
+      course.transpose() *
+      (Vec3(next.x, next.y, coefficients().ship.cog.z() + waterRate_ * step) - record_.position) /
+      (step * frame_.metresPerUnit);
   const double turn = std::remainder(next.heading - this->heading(), 2.0 * kPi);
   const Vec3 swing = Vec3(-input_.eta[Roll], -input_.eta[Pitch], turn) / step;
   std::array<btScalar, 6> wanted;

@@ -23,8 +23,8 @@ BoxFill summed(const Vec3& size, double height, const Vec3& up, int n) {
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
       for (int k = 0; k < n; ++k) {
-        const Vec3 at = size.cwiseProduct(
-            Vec3((i + 0.5) / n - 0.5, (j + 0.5) / n - 0.5, (k + 0.5) / n - 0.5));
+        const Vec3 at =
+            size.cwiseProduct(Vec3((i + 0.5) / n - 0.5, (j + 0.5) / n - 0.5, (k + 0.5) / n - 0.5));
         if (at.dot(up) > height) continue;
         fill.volume += cell;
         moment += cell * at;
@@ -51,8 +51,8 @@ TEST(BoxFillIdentity, AnyAttitudeAgreesWithCells) {
     EXPECT_NEAR(back.volume, volume, 1e-12 * kSize.prod());
     // The surface is what the volume grows by.
     const double d = 1e-5;
-    const double grows = fillBoxTo(kSize, fill.height + d, up).volume -
-                         fillBoxTo(kSize, fill.height - d, up).volume;
+    const double grows =
+        fillBoxTo(kSize, fill.height + d, up).volume - fillBoxTo(kSize, fill.height - d, up).volume;
     EXPECT_NEAR(fill.surface, grows / (2.0 * d), 1e-5 * kSize.prod());
   }
 }
@@ -89,12 +89,15 @@ TEST(BoxFill, EmptyFullAndUpsideDown) {
 TEST(CompartmentRefusals, NameFieldAndValue) {
   const auto made = [](const CompartmentBox& box) { Compartment(box, Vec3::Zero(), 1025.0); };
   const auto out = Fault::ValueOutOfRange;
-  expectRefusal(out, {"compartment \"hold\"", "size[1] = 0"},
-                [&] { made({.name = "hold", .size = {1, 0, 1}}); });
-  expectRefusal(out, {"permeability = 1.5"},
-                [&] { made({.name = "hold", .size = {1, 1, 1}, .permeability = 1.5}); });
-  expectRefusal(out, {"volume = 2", "0..1 m3"},
-                [&] { made({.name = "hold", .size = {1, 1, 1}, .volume = 2.0}); });
+  expectRefusal(out, {"compartment \"hold\"", "size[1] = 0"}, [&] {
+    made({.name = "hold", .size = {1, 0, 1}});
+  });
+  expectRefusal(out, {"permeability = 1.5"}, [&] {
+    made({.name = "hold", .size = {1, 1, 1}, .permeability = 1.5});
+  });
+  expectRefusal(out, {"volume = 2", "0..1 m3"}, [&] {
+    made({.name = "hold", .size = {1, 1, 1}, .volume = 2.0});
+  });
   Compartment fuel({.name = "fuel", .size = {1, 1, 1}, .density = 850.0}, Vec3::Zero(), 1025.0);
   expectRefusal(Fault::BadArgument, {"fuel", "does not mix"}, [&] { fuel.openTo({.area = 1.0}); });
   expectRefusal(out, {"rate = nan"}, [&] { fuel.setRate(std::nan("")); });
@@ -163,7 +166,7 @@ TEST(Compartment, AnEmptyCornerFillsFromBelow) {
   Mat3 attitude;
   attitude = Eigen::AngleAxisd(heel, Vec3::UnitX());
   Compartment c = tank();
-  c.openTo({.place = {0, -1.5, -5.0}, .area = 0.01});
+  c.openTo({.place = {0, -1.5, -5.0}, .area = 0.1});
   const Compartment::Place place{Vec3(0, 0, 0), attitude};
   for (int i = 0; i < 20000; ++i) c.flow(place, 0.0, 0.02, kG, nullptr);
   c.settle(place);

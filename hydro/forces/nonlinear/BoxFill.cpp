@@ -8,8 +8,8 @@ namespace cutwater {
 
 namespace {
 
-constexpr int kMostSteps = 80;            // of Newton and bisection
-constexpr double kSameVolume = 1e-15;     // of the box
+constexpr int kMostSteps = 80;         // of Newton and bisection
+constexpr double kSameVolume = 1e-15;  // of the box
 
 struct BasePoint {
   double x, y;
@@ -50,7 +50,8 @@ struct ColumnSums {
   template <class Height>
   void add(const BasePolygon& polygon, Height height) {
     for (int i = 1; i + 1 < polygon.count; ++i) {
-      const BasePoint corners[3] = {polygon.corners[0], polygon.corners[static_cast<std::size_t>(i)],
+      const BasePoint corners[3] = {polygon.corners[0],
+                                    polygon.corners[static_cast<std::size_t>(i)],
                                     polygon.corners[static_cast<std::size_t>(i + 1)]};
       const double twice = (corners[1].x - corners[0].x) * (corners[2].y - corners[0].y) -
                            (corners[1].y - corners[0].y) * (corners[2].x - corners[0].x);

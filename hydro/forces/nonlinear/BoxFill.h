@@ -7,10 +7,10 @@ namespace cutwater {
 /// the surface, which is found by Newton's method to rounding. Allocates nothing.
 ///     const BoxFill half = fillBox({10, 4, 3}, 60.0, up);   // half of 120 m³
 struct BoxFill {
-  double volume = 0.0;          ///< [m³]
-  Vec3 centre = Vec3::Zero();   ///< of the water, from the middle of the box in its axes [m]
-  double height = 0.0;          ///< of the surface above the middle of the box, along `up` [m]
-  double surface = 0.0;         ///< area of the surface within the box [m²]
+  double volume = 0.0;         ///< [m³]
+  Vec3 centre = Vec3::Zero();  ///< of the water, from the middle of the box in its axes [m]
+  double height = 0.0;         ///< of the surface above the middle of the box, along `up` [m]
+  double surface = 0.0;        ///< area of the surface within the box [m²]
 };
 
 /// @param size  length, breadth, height [m], > 0, along the box's axes.

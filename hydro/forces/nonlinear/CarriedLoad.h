@@ -11,17 +11,17 @@ namespace cutwater {
 
 /// Something that a ship carries beside its database's mass: cargo, fuel, stores, people.
 struct Weight {
-  std::string name;              ///< tells it from the others, and finds it again when it changes
-  double mass = 0.0;             ///< [kg], ≥ 0
-  Vec3 place = Vec3::Zero();     ///< of its centre of gravity in hull axes (Ship::pointMotion) [m]
-  Vec3 gyradii = Vec3::Zero();   ///< about its own centre along the ship's axes [m], ≥ 0
+  std::string name;             ///< tells it from the others, and finds it again when it changes
+  double mass = 0.0;            ///< [kg], ≥ 0
+  Vec3 place = Vec3::Zero();    ///< of its centre of gravity in hull axes (Ship::pointMotion) [m]
+  Vec3 gyradii = Vec3::Zero();  ///< about its own centre along the ship's axes [m], ≥ 0
 };
 
 /// Mass, and its first and second moments about a point: what a rigid body is made of.
 struct MassMoments {
-  double mass = 0.0;             ///< m [kg]
-  Vec3 first = Vec3::Zero();     ///< ∫r dm [kg·m]
-  Mat3 second = Mat3::Zero();    ///< inertia ∫(r² I − r rᵀ) dm [kg·m²]
+  double mass = 0.0;           ///< m [kg]
+  Vec3 first = Vec3::Zero();   ///< ∫r dm [kg·m]
+  Mat3 second = Mat3::Zero();  ///< inertia ∫(r² I − r rᵀ) dm [kg·m²]
 
   /// Of a mass with its centre at r and gyradii about it.
   static MassMoments of(double mass, const Vec3& r, const Vec3& gyradii = Vec3::Zero());

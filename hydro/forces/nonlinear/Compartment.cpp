@@ -114,8 +114,7 @@ double Compartment::through(const Opening& opening, const Place& ship, double se
   const double middle = ship.position.z() + up.dot(fromG_);
   const double sill = middle + up.dot(opening.place - box_.centre);
   const double outside = std::max(sea, sill);
-  const double level =
-      box_.permeability * fillBoxTo(box_.size, outside - middle, up).volume;
+  const double level = box_.permeability * fillBoxTo(box_.size, outside - middle, up).volume;
   const auto rate = [&](double volume) {
     const double head = outside - std::max(levelOf(ship, volume), sill);
     return opening.discharge * opening.area *
