@@ -283,7 +283,8 @@ class Ship {
   void resetVelocity(const Vec3& linear, const Vec3& angular) noexcept;
   /// Begins anew, in microseconds; a free ship in waves takes some more of them for each component
   /// in its next tick. From here on the ship has the same bits as a new one with this start in the
-  /// sea of this moment. Orders to autopilots, parts and what is switched off stay.
+  /// sea of this moment. Orders to autopilots, parts, what it carries and what is switched off
+  /// stay.
   /// Contacts are Bullet's (Seaway::forgetContacts). Allocates nothing but for a fixed course on a
   /// heading or at a speed that no ship has had in this sea.
   /// @throws HydroError as SeaTables::exact, or ValueOutOfRange; nothing has changed then.

@@ -28,12 +28,14 @@ struct Flooding {
                                  .centre = {0.0, -0.18 * beam, -0.2 * draught},
                                  .size = {0.12 * length, 0.25 * beam, 1.2 * draught},
                                  .permeability = 0.85});
+    // Over most of the hull; amidships beside the wing.
     for (int i = -2; i <= 2; ++i) {
-      if (i == 0) continue;
-      holds.push_back(&ship.addCompartment({.name = "hold",
-                                            .centre = {0.15 * length * i, 0.0, 0.1 * draught},
-                                            .size = {0.14 * length, 0.8 * beam, 1.8 * draught},
-                                            .permeability = 0.95}));
+      const double across = i == 0 ? 0.55 : 0.8;
+      holds.push_back(&ship.addCompartment(
+          {.name = "hold",
+           .centre = {0.15 * length * i, i == 0 ? 0.22 * beam : 0.0, 0.15 * draught},
+           .size = {0.14 * length, across * beam, 2.0 * draught},
+           .permeability = 0.95}));
     }
   }
   void tick(DemoTable& table) {
@@ -78,7 +80,7 @@ bool run(const Coefficients& coefficients, DemoTable& table) {
     hold->openTo({.place = hold->box().centre - Vec3(0.0, 0.0, 0.3 * scene.draught), .area = 2.0});
   while (scene.seaway.time() < kEnd && !scene.ship.foundered()) scene.tick(table);
   good &= agrees("it founders", scene.ship.foundered() ? 1.0 : 0.0, 1.0, 0.0);
-  std::printf("at %.0f s, on even keel to %.1f deg\n", scene.seaway.time(),
+  std::printf("at %.0f s, heeled by %.1f deg\n", scene.seaway.time(),
               std::abs(scene.ship.attitude().x()) / kDegree);
   const double under = scene.ship.position().z(), until = scene.seaway.time() + 30.0;
   while (scene.seaway.time() < until) scene.tick(table);
