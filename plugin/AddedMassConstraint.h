@@ -75,8 +75,9 @@ class AddedMassConstraint : public btTypedConstraint {
   void change(const Change& change) noexcept;
   /// A∞ is this, and was it at v⁻: nothing has changed.
   void setAddedMass(const Mat6& addedMass) noexcept;
-  /// A rigid mass L that is fixed to the body beside its own and turns with it, off its centre as it
-  /// may be: cargo, water in a tank. (M + A∞ + L)(v⁺ − v⁻) = P. Its momentum stands in the world,
+  /// A rigid mass L that is fixed to the body beside its own and turns with it, off its centre as
+  /// it may be: cargo, water in a tank. (M + A∞ + L)(v⁺ − v⁻) = P. Its momentum stands in the
+  /// world,
   ///     force = −d(R L Rᵀ v)/dt,   R the body's axes
   /// and −V × p about a centre of mass that moves with V is the caller's, as of A∞. Call before
   /// beginTick.

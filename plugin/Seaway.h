@@ -110,8 +110,8 @@ class Seaway final {
   /// E goes with it: z = 0 is calm water always, and so position(), waterAt(), waves, draught and
   /// drawing keep their meaning. Velocities in E are those against the water; nothing jumps when it
   /// begins to move: the ship follows by its own buoyancy and damping.
-  /// @throws HydroError ValueOutOfRange: a height that is not finite or beyond 1e5 m, a rate that is
-  ///         not positive.
+  /// @throws HydroError ValueOutOfRange: a height that is not finite or beyond 1e5 m, a rate that
+  ///         is not positive.
   void setCalmLevel(double height, double rate);
   /// Height of calm water now [m], over the one at the beginning.
   double calmLevel() const noexcept { return calm_.level; }

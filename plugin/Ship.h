@@ -257,8 +257,8 @@ class Ship {
   const std::vector<std::unique_ptr<Compartment>>& compartments() const noexcept;
   /// The ship with all of it, now.
   LoadedShip loading() const noexcept;
-  /// Wholly under water with a weight beyond the buoyancy of the whole hull: it goes down. Nonlinear
-  /// mode only; as at the start of the last tick.
+  /// Wholly under water with a weight beyond the buoyancy of the whole hull: it goes down.
+  /// Nonlinear mode only; as at the start of the last tick.
   bool foundered() const noexcept;
 
   // Autopilots. Orders may change at any time between ticks.

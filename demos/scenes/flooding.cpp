@@ -1,8 +1,8 @@
 // A ship is holed in the side, settles and heels; then its bulkheads give way, and it founders:
 // flooding DATABASE.h5 [OUT.csv]
-// Look for: the first room fills until the water in it is as high as the sea; the ship comes to rest
-// as its hull and that water have no righting lever together. With all rooms open it settles until
-// its deck is under, and goes down: said once by kFoundered, and by Ship::foundered.
+// Look for: the first room fills until the water in it is as high as the sea; the ship comes to
+// rest where its hull and that water have no righting lever together. With all rooms open it
+// settles until its deck is under, and goes down: said by kFoundered, and by Ship::foundered.
 #include <algorithm>
 #include <cmath>
 

@@ -405,8 +405,8 @@ TEST(LoadingConvergence, WithoutWaterItTurnsAsTheCompositeBody) {
                "Euler's equations", fine.attitude, "0.02");
 }
 
-// Level momentum at 5 m/s without water's forces: what comes in at rest slows it down, M v = (M +
-// m) v'; what leaves takes its own; what moves about on board changes nothing.
+// Level momentum at 5 m/s without the water's forces: what comes in at rest slows it down and keeps
+// the momentum; what leaves takes its own; what moves about on board changes nothing.
 TEST(LoadingClosedForm, MomentumGoesWithTheMass) {
   const ShipParticulars& p = undamped()->ship();
   TestWorld world(0.0);
@@ -490,7 +490,7 @@ TEST(LoadingIdentity, ASnapshotGoesOnWithTheSameBits) {
   }
 }
 
-// What the column added_mass holds is the water's alone: with a weight and without added mass, none.
+// What the column added_mass holds is the water's alone: without added mass, none.
 TEST(LoadingClosedForm, AddedMassIsTheWatersAlone) {
   Coefficients c = bareCoefficients({.closed = closedBox(kBox, 10, 4, 4),
                                      .cog = kCog,
