@@ -241,10 +241,10 @@ class Ship {
   std::vector<double> costs() const;
 
   // What it carries beside the mass of its database (hydro/forces/nonlinear/CarriedLoad.h and
-  // Compartment.h), fixed to the body off its centre: it settles, heels and trims by it, and has
-  // its inertia. Bullet's body stays as it is, with its origin in the database's G, and so do
-  // position(), the coefficients and the motions predicted in waves. From the first call on the
-  // load has a part "loading"; snapshots from before do not fit any more.
+  // hydro/forces/Compartment.h), fixed to the body off its centre: it settles, heels and trims by
+  // it, and has its inertia. Bullet's body stays as it is, with its origin in the database's G, and
+  // so do position(), the coefficients and the motions predicted in waves. From the first call on
+  // the load has a part "loading"; snapshots from before do not fit any more.
   /// All weights from now on, instead of those before; at any time between ticks.
   ///     ship.setWeights({{.name = "deck cargo", .mass = 40e3, .place = {-12, 3, 7}}});
   /// @throws HydroError ValueOutOfRange, BadArgument, naming weight, field and value; the weights

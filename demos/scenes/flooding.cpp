@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "demos/scenes/DemoShip.h"
-#include "hydro/forces/nonlinear/Compartment.h"
+#include "hydro/forces/Compartment.h"
 
 using namespace cutwater;
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "hydro/forces/nonlinear/BoxFill.h"
-#include "hydro/forces/nonlinear/Compartment.h"
+#include "hydro/forces/BoxFill.h"
+#include "hydro/forces/Compartment.h"
 #include "tests/support/Refusal.h"
 
 namespace cutwater::test {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "hydro/forces/Compartment.h"
 #include "hydro/forces/ForceGenerator.h"
-#include "hydro/forces/nonlinear/Compartment.h"
 #include "hydro/ship/ShipParticulars.h"
 
 namespace cutwater {

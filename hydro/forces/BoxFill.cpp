@@ -1,4 +1,4 @@
-#include "hydro/forces/nonlinear/BoxFill.h"
+#include "hydro/forces/BoxFill.h"
 
 #include <algorithm>
 #include <array>

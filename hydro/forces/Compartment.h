@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "hydro/Conventions.h"
-#include "hydro/forces/nonlinear/BoxFill.h"
+#include "hydro/forces/BoxFill.h"
 #include "hydro/waves/SeaState.h"
 
 namespace cutwater {

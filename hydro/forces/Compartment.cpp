@@ -1,4 +1,4 @@
-#include "hydro/forces/nonlinear/Compartment.h"
+#include "hydro/forces/Compartment.h"
 
 #include <algorithm>
 #include <cmath>
