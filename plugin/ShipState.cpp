@@ -10,6 +10,7 @@
 #include "hydro/forces/SeaTables.h"
 #include "hydro/forces/WettedHull.h"
 #include "hydro/forces/linear/FreeRadiation.h"
+#include "hydro/forces/nonlinear/CarriedLoad.h"
 #include "plugin/Rig.h"
 #include "plugin/SettingsCheck.h"
 #include "plugin/Ship.h"
@@ -385,6 +386,9 @@ void Ship::restore(const Snapshot& s) {
   begun_ = false;
   record_ = s.record;
   remember();
+  if (carried_ != nullptr) {
+    for (const auto& room : carried_->compartments()) room->settle({position(), bodyAxes()});
+  }
   known_.pose = s.known;
   if (btMotionState* drawn = body_->getMotionState()) drawn->setWorldTransform(s.interpolated);
 }
