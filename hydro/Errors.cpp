@@ -13,7 +13,7 @@ struct FaultRow {
 };
 
 // In the order of the bits.
-constexpr std::array<FaultRow, 17> kFaults{{
+constexpr std::array<FaultRow, 19> kFaults{{
     {kLoadNotFinite, "kLoadNotFinite", "a load was not finite and was not applied"},
     {kStateNotFinite, "kStateNotFinite", "the ship's position or velocity was not finite"},
     {kTickLengthChanged, "kTickLengthChanged",
@@ -41,6 +41,10 @@ constexpr std::array<FaultRow, 17> kFaults{{
     {kCourseBegan, "kCourseBegan", "the ship was set elsewhere, and its mean course began there"},
     {kSeaNotChanged, "kSeaNotChanged",
      "the sea that was to come could not be made, the old one stays"},
+    {kLoadedBeyondLinear, "kLoadedBeyondLinear",
+     "the ship carried more than 5 % of its own mass beside it, too much for linear mode"},
+    {kFoundered, "kFoundered",
+     "the ship was wholly under water and heavier than what it displaces: it goes down"},
 }};
 
 const FaultRow* find(std::uint32_t bit) noexcept {

@@ -82,12 +82,17 @@ enum StepFault : std::uint32_t {
   kCourseBegan = 1u << 15,    ///< somebody set the body elsewhere: its mean course began there
   /// The tables of a sea that was to come could not be made (Seaway::setSea): the old one stays.
   kSeaNotChanged = 1u << 16,
+  /// In linear mode a ship carries more than 5 % of its own mass beside it (Ship::setWeights,
+  /// addCompartment): its draught, heel and stability by C are those of small changes.
+  kLoadedBeyondLinear = 1u << 17,
+  kFoundered = 1u << 18,  ///< wholly under water, and heavier than the water it displaces
 };
 
 /// The bits after which a run may go on.
 inline constexpr std::uint32_t kWarningBits =
     kTickLengthChanged | kSpeedOutsideTheory | kTickTooLong | kMassChanged | kGravityChanged |
-    kAttitudeOutsideTheory | kOutOfWater | kFarFromCourse | kCourseBegan | kSeaNotChanged;
+    kAttitudeOutsideTheory | kOutOfWater | kFarFromCourse | kCourseBegan | kSeaNotChanged |
+    kLoadedBeyondLinear | kFoundered;
 
 /// What the bits say in plain English, one phrase a bit, joined by "; ". A bit that has no meaning
 /// is told by its number; "" for none.

@@ -117,7 +117,7 @@ void AddedMassConstraint::heedFactors() noexcept {
   if (!held && !held_) return;
   held_ = held;
   if (!held) {
-    findRows(addedMass_);
+    findRows(total());
     return;
   }
   const TurningAxes toWorld = axes();
@@ -129,7 +129,34 @@ void AddedMassConstraint::heedFactors() noexcept {
   projection.topLeftCorner<3, 3>() = free(toWorld.linear, linear);
   projection.bottomRightCorner<3, 3>() = free(toWorld.angular, angular);
   projection_ = projection;
-  findRows(projection * addedMass_ * projection);
+  findRows(projection * total() * projection);
+}
+
+Mat6 AddedMassConstraint::bodyMassIn(const Mat6& mass, const TurningAxes& axes,
+                                     const Mat3& body) const noexcept {
+  Mat6 turn = Mat6::Zero();
+  turn.topLeftCorner<3, 3>() = axes.linear.transpose() * body;
+  turn.bottomRightCorner<3, 3>() = axes.angular.transpose() * body;
+  return turn * mass * turn.transpose();
+}
+
+// A∞ + L in the axes of A∞. L does not end where A∞ is switched off.
+Mat6 AddedMassConstraint::total() const noexcept {
+  if (!carries_) return addedMass_;
+  Mat6 sum = bodyMassIn(carried_, axes(), body_);
+  if (active_) sum += addedMass_;
+  return 0.5 * (sum + sum.transpose());
+}
+
+void AddedMassConstraint::carry(const Mat6& mass, const Mat6& kept) noexcept {
+  carries_ = carries_ || (mass.array() != 0.0).any();
+  carried_ = mass;
+  carriedKept_ = kept;
+}
+
+void AddedMassConstraint::setCarried(const Mat6& mass, const Mat3& pastBody) noexcept {
+  carry(mass, mass);
+  pastBody_ = pastBody;
 }
 
 void AddedMassConstraint::change(const Change& change) noexcept {
@@ -137,13 +164,13 @@ void AddedMassConstraint::change(const Change& change) noexcept {
   met_ = change.met;
   changed_ = true;
   addedMass_ = change.now;
-  if (!held_) findRows(addedMass_);
+  if (!held_ && !carries_) findRows(addedMass_);
 }
 
 void AddedMassConstraint::setAddedMass(const Mat6& addedMass) noexcept {
   changed_ = false;
   addedMass_ = addedMass;
-  if (!held_) findRows(addedMass_);
+  if (!held_ && !carries_) findRows(addedMass_);
 }
 
 void AddedMassConstraint::setMass(const Vec6& mass) noexcept {
@@ -161,11 +188,16 @@ AddedMassConstraint::TurningAxes AddedMassConstraint::axes() const noexcept {
 // action runs; a vehicle's impulse in an action that ran before ours is thus still ahead of v⁻.
 void AddedMassConstraint::endTick() noexcept {
   setPast(m_rbA.getInterpolationLinearVelocity(), m_rbA.getInterpolationAngularVelocity(), solved_);
+  if (!carries_) return;
+  pastBody_ = body_;
+  carriedKept_ = carried_;
+  carriedChange_ = momentumOfCarried() - carriedBefore_ + given_;
 }
 
 void AddedMassConstraint::forgetPast() noexcept {
   solved_ = axes();
   setPast(m_rbA.getLinearVelocity(), m_rbA.getAngularVelocity(), solved_);
+  pastBody_ = fromBullet(m_rbA.getWorldTransform().getBasis());
 }
 
 void AddedMassConstraint::setPast(const btVector3& linear, const btVector3& angular,
@@ -193,14 +225,14 @@ int AddedMassConstraint::iterationsFor(double tolerance) const noexcept {
 }
 
 void AddedMassConstraint::setActive(bool on) noexcept {
-  if (on && !active_) forgetPast();
+  if (on && !active_ && !carries_) forgetPast();
   active_ = on;
   clear(feedback_);
 }
 
 void AddedMassConstraint::getInfo1(btConstraintInfo1* info) {
   heedFactors();
-  info->m_numConstraintRows = active_ ? count_ : 0;
+  info->m_numConstraintRows = active_ || carries_ ? count_ : 0;
   info->nub = 6 - info->m_numConstraintRows;
 }
 
@@ -216,11 +248,11 @@ void AddedMassConstraint::pendingChange(Vec3& linear, Vec3& angular) const noexc
 
 // A∞(v⁻ − V) in the axes of then: Σ l (J·(v⁻ − V)) J. Of an A∞ that has changed, what is left.
 Vec6 AddedMassConstraint::pastMomentum() const noexcept {
-  Vec6 velocity;
-  velocity << pastAxes_.linear.transpose() * (fromBullet(linear_) - mean_),
-      pastAxes_.angular.transpose() * fromBullet(angular_);
+  const Vec6 velocity = relativeVelocity(pastAxes_);
   if (changed_ && held_) return projection_ * (kept_ * (projection_ * velocity) + met_);
   if (changed_) return kept_ * velocity + met_;
+  if (carries_ && held_) return projection_ * (addedMass_ * (projection_ * velocity));
+  if (carries_) return addedMass_ * velocity;  // the rows are those of L as well
   Vec6 momentum = Vec6::Zero();
   for (int r = 0; r < count_; ++r) {
     const Row& row = rows_[static_cast<std::size_t>(r)];
@@ -229,6 +261,33 @@ Vec6 AddedMassConstraint::pastMomentum() const noexcept {
     momentum.head<3>() += share * row.linear;
     momentum.tail<3>() += share * row.angular;
   }
+  return momentum;
+}
+
+Vec6 AddedMassConstraint::relativeVelocity(const TurningAxes& axes) const noexcept {
+  Vec6 velocity;
+  velocity << axes.linear.transpose() * (fromBullet(linear_) - mean_),
+      axes.angular.transpose() * fromBullet(angular_);
+  return velocity;
+}
+
+// Of what is left of L at v⁻, in W.
+Vec6 AddedMassConstraint::momentumOfCarried() const noexcept {
+  const Mat6 mass = bodyMassIn(carriedKept_, pastAxes_, pastBody_);
+  const Vec6 velocity = relativeVelocity(pastAxes_);
+  const Vec6 own =
+      held_ ? Vec6(projection_ * (mass * (projection_ * velocity))) : Vec6(mass * velocity);
+  Vec6 momentum;
+  momentum << pastAxes_.linear * own.head<3>(), pastAxes_.angular * own.tail<3>();
+  return momentum;
+}
+
+// Of water and carried mass, in the present axes: L's stands still in the world.
+Vec6 AddedMassConstraint::momentumInto(const TurningAxes& now) const noexcept {
+  if (!carries_) return carriedInto(now);
+  Vec6 momentum = active_ ? carriedInto(now) : Vec6(Vec6::Zero());
+  momentum.head<3>() += now.linear.transpose() * carriedBefore_.head<3>();
+  momentum.tail<3>() += now.angular.transpose() * carriedBefore_.tail<3>();
   return momentum;
 }
 
@@ -267,10 +326,10 @@ Vec6 AddedMassConstraint::momentum() const noexcept {
 
 // Only where rows are missing: a hull without added mass in some direction.
 void AddedMassConstraint::giveWhatNoRowCarries() noexcept {
-  if (!active_ || count_ == 6 || (held_ && !changed_)) return;
+  if (!(active_ || carries_) || count_ == 6 || (held_ && !changed_ && !carries_)) return;
   const TurningAxes now = axes();
   if (stands(now)) return;
-  const Vec6 momentum = carriedInto(now);
+  const Vec6 momentum = momentumInto(now);
   Vec6 rest = momentum;
   for (int r = 0; r < count_; ++r) {
     const Row& row = rows_[static_cast<std::size_t>(r)];
@@ -278,18 +337,26 @@ void AddedMassConstraint::giveWhatNoRowCarries() noexcept {
     rest.head<3>() -= share * row.linear;
     rest.tail<3>() -= share * row.angular;
   }
-  m_rbA.applyCentralImpulse(toBullet(Vec3(now.linear * rest.head<3>())));
-  m_rbA.applyTorqueImpulse(toBullet(Vec3(now.angular * rest.tail<3>())));
+  given_ << now.linear * rest.head<3>(), now.angular * rest.tail<3>();
+  m_rbA.applyCentralImpulse(toBullet(Vec3(given_.head<3>())));
+  m_rbA.applyTorqueImpulse(toBullet(Vec3(given_.tail<3>())));
 }
 
 // Nothing is returned or met: A∞ is as it was, and so are its axes.
 bool AddedMassConstraint::stands(const TurningAxes& now) const noexcept {
+  if (carries_ && !(same(body_, pastBody_) && carriedKept_ == carried_)) return false;
   return !changed_ && same(now.linear, pastAxes_.linear) && same(now.angular, pastAxes_.angular);
 }
 
 void AddedMassConstraint::beginTick(btScalar step) noexcept {
   step_ = step;
   solved_ = axes();  // Bullet asks for no rows where there are none
+  given_.setZero();
+  if (carries_) {
+    body_ = fromBullet(m_rbA.getWorldTransform().getBasis());
+    carriedBefore_ = momentumOfCarried();
+    if (!held_) findRows(total());
+  }
   giveWhatNoRowCarries();
 }
 
@@ -298,7 +365,7 @@ void AddedMassConstraint::beginTick(btScalar step) noexcept {
 Vec6 AddedMassConstraint::changeByTurning(const TurningAxes& now) const noexcept {
   Vec6 change = Vec6::Zero();
   if (stands(now)) return change;
-  const Vec6 momentum = carriedInto(now);
+  const Vec6 momentum = momentumInto(now);
   const Vec3 swung = now.linear.transpose() * (fromBullet(linear_) - mean_);
   const Vec3 turned = now.angular.transpose() * fromBullet(angular_);
   for (int r = 0; r < count_; ++r) {

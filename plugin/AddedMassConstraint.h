@@ -77,6 +77,23 @@ class AddedMassConstraint : public btTypedConstraint {
   void setAddedMass(const Mat6& addedMass) noexcept;
   /// The body's M has changed [kg, kg·m²], diagonal in its axes, > 0.
   void setMass(const Vec6& mass) noexcept;
+  /// A rigid mass L that is fixed to the body beside its own and turns with it, off its centre as
+  /// it may be: cargo, water in a tank. (M + A∞ + L)(v⁺ − v⁻) = P. Its momentum stands in the
+  /// world,
+  ///     force = −d(R L Rᵀ v)/dt,   R the body's axes
+  /// and −V × p about a centre of mass that moves with V is the caller's, as of A∞. Call before
+  /// beginTick.
+  /// @param mass  L from now on, symmetric, ≥ 0, about the centre of mass in body axes.
+  /// @param kept  that of it whose momentum at v⁻ it has: L as it was, less what has left, with
+  ///        what came with the body's velocity. What is new beyond it came at rest, relative to V.
+  void carry(const Mat6& mass, const Mat6& kept) noexcept;
+  /// L is this, and was it at v⁻ in these body axes.
+  void setCarried(const Mat6& mass, const Mat3& pastBody) noexcept;
+  /// Body axes in the world's at v⁻.
+  const Mat3& pastBody() const noexcept { return pastBody_; }
+  /// What the last tick's L took of the solver's impulse: R L Rᵀ(v⁺ − V) less what it had before,
+  /// with what no row could give it [units of momentum], in the world's axes.
+  const Vec6& carriedChange() const noexcept { return carriedChange_; }
   /// V [units/s] in the world's axes. Without it V = 0.
   void setMean(const btVector3& velocity) noexcept { mean_ = fromBullet(velocity); }
   /// Off: it applies nothing until it is on again, when what happened before is not felt.
@@ -125,6 +142,11 @@ class AddedMassConstraint : public btTypedConstraint {
   bool stands(const TurningAxes& now) const noexcept;
   Vec6 pastMomentum() const noexcept;
   Vec6 carriedInto(const TurningAxes& now) const noexcept;
+  Mat6 bodyMassIn(const Mat6& mass, const TurningAxes& axes, const Mat3& body) const noexcept;
+  Mat6 total() const noexcept;
+  Vec6 relativeVelocity(const TurningAxes& axes) const noexcept;
+  Vec6 momentumOfCarried() const noexcept;
+  Vec6 momentumInto(const TurningAxes& now) const noexcept;
   Vec6 changeByTurning(const TurningAxes& now) const noexcept;
   void giveWhatNoRowCarries() noexcept;
 
@@ -147,6 +169,12 @@ class AddedMassConstraint : public btTypedConstraint {
   double share_ = 1.0;
   bool follows_ = false, active_ = true;
   Vec3 mean_ = Vec3::Zero();  // V in W
+  // L: now, and of it what has its momentum at v⁻; body axes now and then.
+  Mat6 carried_ = Mat6::Zero(), carriedKept_ = Mat6::Zero();
+  Mat3 body_ = Mat3::Identity(), pastBody_ = Mat3::Identity();
+  bool carries_ = false;
+  Vec6 carriedBefore_ = Vec6::Zero(), carriedChange_ = Vec6::Zero();  // in W
+  Vec6 given_ = Vec6::Zero();  // impulse of the tick under way that no row carries, in W
   btJointFeedback feedback_;
 };
 

@@ -119,7 +119,7 @@ Float* FloatFleet::of(const btCollisionObject& body) const noexcept {
 std::uint32_t FloatFleet::lookAtAll() noexcept {
   std::uint32_t faults = kStepOk;
   active_.clear();
-  const bool calm = sea_->sea->components().empty();
+  const bool calm = !moves();
   for (const auto& one : floats_) {
     faults |= one->look();
     const bool looks = one->now_ == Float::Now::Ticks || (one->now_ == Float::Now::Asleep && !calm);
@@ -165,7 +165,7 @@ std::uint32_t FloatFleet::beginTick(double time, btScalar step) noexcept {
   if (!(step > 0)) return faults | kTickNotPositive;
   if (active_.empty()) return faults;
   pressAll(time);
-  const bool waves = !sea_->sea->components().empty();
+  const bool waves = moves();
   wet_.clear();
   for (Float* one : active_) {
     if (one->now_ == Float::Now::Asleep && !one->wakesIn(waves, step)) continue;
@@ -174,10 +174,10 @@ std::uint32_t FloatFleet::beginTick(double time, btScalar step) noexcept {
   }
   if (wet_.empty()) return faults;
   const std::size_t count = wet_.size();
-  if (waves)
+  std::fill_n(motions_.begin(), count, FloatWater::Motion{});
+  if (!sea_->sea->components().empty())
     sea_->water.motion(time, {places_.data(), count}, {motions_.data(), count});
-  else
-    std::fill_n(motions_.begin(), count, FloatWater::Motion{});
+  for (std::size_t i = 0; i < count; ++i) motions_[i].velocity.z() += rate_;
   for (std::size_t i = 0; i < count; ++i)
     faults |= wet_[i]->begin(waves, motions_[i].velocity, motions_[i].gradient, step);
   return faults;

@@ -37,6 +37,12 @@ class FloatFleet {
   /// Another sea from the next tick on; `sea` is left with the one that was. Allocates nothing.
   void enterSea(std::unique_ptr<FloatSea>& sea) noexcept;
 
+  /// Calm water stands at this height of the world [units] and rises at this rate [m/s].
+  void setWater(double level, double rate) noexcept {
+    frame_.seaLevel = level;
+    rate_ = rate;
+  }
+
   /// StepFault bits of all.
   std::uint32_t beginTick(double time, btScalar step) noexcept;
   std::uint32_t endTick() noexcept;
@@ -45,6 +51,7 @@ class FloatFleet {
 
  private:
   void makeRoom();
+  bool moves() const noexcept { return !sea_->sea->components().empty() || rate_ != 0.0; }
   std::uint32_t lookAtAll() noexcept;
   void pressAll(double time) noexcept;
   void sweep() noexcept;
@@ -58,6 +65,7 @@ class FloatFleet {
   std::vector<FloatWater::Place> places_;
   std::vector<FloatWater::Motion> motions_;
   double longestEdge_ = 0.0;  // [m]
+  double rate_ = 0.0;         // at which calm water rises [m/s]
   bool worldLives_ = false;
   std::vector<btTypedConstraint*> retired_;  // of floats that are gone, in a world's list
 };

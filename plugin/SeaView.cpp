@@ -21,7 +21,12 @@ void SeaWatch::set(const std::shared_ptr<const SeaState>& sea, double time) noex
 
 SeaWatch::Seen SeaWatch::seen() const noexcept {
   const std::lock_guard lock(mutex_);
-  return {sea_, time_};
+  return {sea_, time_, frame_};
+}
+
+void SeaWatch::setLevel(double level) noexcept {
+  const std::lock_guard lock(mutex_);
+  frame_.seaLevel = level;
 }
 
 SeaView Seaway::view() const { return SeaView(watch_); }
@@ -29,13 +34,14 @@ SeaView Seaway::view() const { return SeaView(watch_); }
 SeaView::SeaView(std::shared_ptr<const SeaWatch> watch)
     : watch_(std::move(watch)),
       sea_(watch_->seen().sea),
-      frame_(watch_->frame()),
+      frame_(watch_->seen().frame),
       time_(watch_->seen().time),
       motion_(*sea_) {}
 
 void SeaView::update() {
   const SeaWatch::Seen seen = watch_->seen();
   time_ = seen.time;
+  frame_ = seen.frame;
   if (seen.sea == sea_) return;
   sea_ = seen.sea;
   motion_ = WaterMotion(*sea_);

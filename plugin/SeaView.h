@@ -69,18 +69,20 @@ class SeaWatch {
       : sea_(std::move(sea)), frame_(frame) {}
   /// @param sea  null: it stays.
   void set(const std::shared_ptr<const SeaState>& sea, double time) noexcept;
+  /// @param level  of calm water [units].
+  void setLevel(double level) noexcept;
   struct Seen {
     std::shared_ptr<const SeaState> sea;
     double time = 0.0;
+    WorldFrame frame;
   };
   Seen seen() const noexcept;
-  const WorldFrame& frame() const noexcept { return frame_; }
 
  private:
   mutable std::mutex mutex_;
   std::shared_ptr<const SeaState> sea_;  // guarded
   double time_ = 0.0;                    // guarded
-  WorldFrame frame_;
+  WorldFrame frame_;                     // guarded
 };
 
 CUTWATER_PLUGIN_END

@@ -118,8 +118,9 @@ Seaway::Seaway(btDiscreteDynamicsWorld& world, SeaState sea, const WorldFrame& f
       sea_(std::make_shared<const SeaState>(std::move(sea))),
       frame_(checked(frame)),
       seaKey_(sea_->key()),
-      watch_(std::make_shared<SeaWatch>(sea_, frame_)),
+      firstLevel_(frame.seaLevel),
       floats_(std::make_unique<FloatFleet>(world_, frame_, sea_)),
+      watch_(std::make_shared<SeaWatch>(sea_, frame_)),
       listener_(std::make_unique<Listener>(*this)),
       hook_(std::make_unique<WorldHook>(world, *listener_)) {}
 
@@ -171,6 +172,7 @@ Ship& Seaway::add(std::shared_ptr<const Hydrodynamics> hydrodynamics, const Ship
   const std::shared_ptr<const Hydrodynamics> kind = hydrodynamics;
   auto ship =
       std::make_unique<Ship>(world_, frame_, tablesOf(std::move(hydrodynamics)), settings, own);
+  ship->setWater(frame_.seaLevel, calm_.now);
   if (preparedFor_ > 0.0) ship->prepare(preparedFor_);
   if (coming_) {
     auto& known = coming_->tablesInNext;
@@ -343,6 +345,7 @@ Seaway::Snapshot Seaway::save() const {
 void Seaway::save(Snapshot& snapshot) const {
   snapshot.time = time_;
   snapshot.seaKey = seaKey_;
+  saveCalmLevel(snapshot);
   snapshot.ships.resize(ships_.size());
   for (std::size_t i = 0; i < ships_.size(); ++i) ships_[i]->save(snapshot.ships[i]);
   snapshot.floats.resize(floats().size());
@@ -364,6 +367,7 @@ void Seaway::restore(const Snapshot& snapshot) {
                      "Seaway::restore: snapshot has " + std::to_string(snapshot.floats.size()) +
                          " floats, here are " + std::to_string(floats().size()));
   }
+  restoreCalmLevel(snapshot);
   for (std::size_t i = 0; i < ships_.size(); ++i) ships_[i]->restore(snapshot.ships[i]);
   for (std::size_t i = 0; i < floats().size(); ++i) floats()[i]->restore(snapshot.floats[i]);
   time_ = snapshot.time;
@@ -407,6 +411,7 @@ void Seaway::beforeTick(btScalar step) noexcept {
   if (!solverCarriesAddedMass(world_)) raise(kSolverNotSupported);
   followSea();
   step_ = step;
+  beginCalmLevel(static_cast<double>(step));
   for (const auto& ship : ships_) raise(ship->keepConstraints());
   const auto one = [](void* self, std::size_t i) {
     auto& s = *static_cast<Seaway*>(self);
@@ -424,6 +429,7 @@ void Seaway::beforeTick(btScalar step) noexcept {
 void Seaway::afterTick(btScalar step) noexcept {
   for (const auto& ship : ships_) raise(ship->endTick(step));
   raise(floats_->endTick());
+  endCalmLevel(static_cast<double>(step));
   for (TickObserver* observer : observers_) observer->tickDone(*this);
   if (std::isfinite(step)) time_ += static_cast<double>(step);
   watch_->set(nullptr, time_);

@@ -147,6 +147,18 @@ class Seaway final {
   double time() const noexcept { return time_; }
   const SeaState& sea() const noexcept { return *sea_; }
   const WorldFrame& frame() const noexcept { return frame_; }
+  /// Moves calm water to a height [m] over the one at which this Seaway began
+  /// (WorldFrame::seaLevel), up or down at `rate` [m/s]: a lock, a tide, a dock that is drained.
+  /// From the next tick on; infinity: at once, as if it had always been there.
+  ///
+  /// E goes with it: z = 0 is calm water always, and so position(), waterAt(), waves, draught and
+  /// drawing keep their meaning. Velocities in E are those against the water; nothing jumps when it
+  /// begins to move: the ship follows by its own buoyancy and damping.
+  /// @throws HydroError ValueOutOfRange: a height that is not finite or beyond 1e5 m, a rate that
+  ///         is not positive.
+  void setCalmLevel(double height, double rate);
+  /// Height of calm water now [m], over the one at the beginning.
+  double calmLevel() const noexcept { return calm_.level; }
   /// ζ [m] at x, y in E, now.
   double waveHeight(double x, double y) const noexcept { return sea_->elevation(time_, x, y); }
   /// The water's surface above or below a point of the world, in the world's units and axes.
@@ -165,7 +177,8 @@ class Seaway final {
   /// @throws HydroError BadArgument: other ships, another number of floats, another sea.
   struct Snapshot {
     double time = 0.0;
-    std::uint64_t seaKey = 0;  ///< SeaState::key
+    std::uint64_t seaKey = 0;                             ///< SeaState::key
+    std::array<double, 4> calmLevel{0.0, 0.0, 1.0, 0.0};  // level, wanted, rate, rate now
     std::vector<Ship::Snapshot> ships;
     std::vector<Float::Snapshot> floats;
 
@@ -198,6 +211,11 @@ class Seaway final {
             btRigidBody* own);
   std::shared_ptr<const SeaTables> tablesOf(std::shared_ptr<const Hydrodynamics> hydrodynamics);
   void raise(std::uint32_t faults) noexcept;
+  void beginCalmLevel(double step) noexcept;
+  void endCalmLevel(double step) noexcept;
+  void placeWater() noexcept;
+  void saveCalmLevel(Snapshot& snapshot) const noexcept;
+  void restoreCalmLevel(const Snapshot& snapshot) noexcept;
   bool worldLives() const noexcept;
   void followSea() noexcept;
   void enterComing();
@@ -210,6 +228,12 @@ class Seaway final {
   std::shared_ptr<const SeaState> sea_;
   WorldFrame frame_;
   std::uint64_t seaKey_ = 0;
+  /// Of calm water over its height at the beginning [m], and its speed [m/s].
+  struct CalmLevel {
+    double level = 0.0, wanted = 0.0, rate = 1.0, now = 0.0;
+  };
+  CalmLevel calm_;
+  double firstLevel_ = 0.0;  // WorldFrame::seaLevel at the beginning
   double time_ = 0.0;
   btScalar step_ = 0;                                      // of this tick
   double preparedFor_ = 0.0;                               // length of tick; 0: none

@@ -156,7 +156,7 @@ void Ship::place(const ShipStart& start) noexcept {
   body_->setCenterOfMassTransform(pose);
   const Vec6 velocity = rotated(bodyAxes(), bodyAxes(), start.velocity);
   const Vec3 along = rotationZ(start.heading) * Vec3(start.speed, 0.0, 0.0);
-  set({pose, frame_.length(Vec3(along + velocity.head<3>())),
+  set({pose, frame_.length(Vec3(along + velocity.head<3>() + waterRate_ * Vec3::UnitZ())),
        frame_.direction(velocity.tail<3>())});
   if (btMotionState* drawn = body_->getMotionState()) drawn->setWorldTransform(pose);
   body_->clearForces();

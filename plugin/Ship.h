@@ -15,6 +15,8 @@
 
 namespace cutwater {
 class Autopilots;
+class CarriedLoad;
+class Compartment;
 class FreeRadiation;
 class Hydrodynamics;
 class PredictedMotion;
@@ -22,9 +24,11 @@ class PressureHull;
 class Resistance;
 class SeaTables;
 struct Coefficients;
+struct CompartmentBox;
 struct CourseForces;
 struct Helm;
 class WaveForce;
+struct Weight;
 class WettedHull;
 }  // namespace cutwater
 
@@ -89,6 +93,13 @@ struct Wetted {
   double immersion = 1.0;      ///< s, 0 out of the water .. 1 (TickInput::immersion)
 };
 
+/// A ship with all that it carries (Ship::loading).
+struct LoadedShip {
+  double mass = 0.0;            ///< [kg]
+  Vec3 cog = Vec3::Zero();      ///< its centre of gravity in hull axes (Ship::pointMotion) [m]
+  Mat3 inertia = Mat3::Zero();  ///< about that centre, in B [kg·m²]
+};
+
 /// roll, pitch, yaw [rad] of R = R_z(yaw) R_y(pitch) R_x(roll); finite for every rotation.
 Vec3 eulerAngles(const Mat3& rotation) noexcept;
 
@@ -121,6 +132,7 @@ Vec3 bowAngles(const Mat3& rotation) noexcept;
 ///     hull_lift       Mean::Free only
 ///     resistance      of the hull in calm water, Mean::Free only
 ///     engine, rudder  of a free ship that has them (setThrottle, setRudder)
+///     loading         weight of what it carries beside (setWeights, addCompartment)
 /// and then those of addForce(). gravity + restoring = −C η.
 ///
 /// First-order forces act in H. Moments, and A∞, act in axes along the ship's own heading and
@@ -234,6 +246,26 @@ class Ship {
   /// One line on waves of this sea that are shorter than the database has forces for, whose linear
   /// loads are left out, with their number and share of the sea's energy; empty if there are none.
   std::string seaWarning() const;
+  // What it carries beside the mass of its database (hydro/forces/nonlinear/CarriedLoad.h and
+  // hydro/forces/Compartment.h), fixed to the body off its centre: it settles, heels and trims by
+  // it, and has its inertia. Bullet's body stays as it is, with its origin in the database's G, and
+  // so do position(), the coefficients and the motions predicted in waves. From the first call on
+  // the load has a part "loading"; snapshots from before do not fit any more.
+  /// All weights from now on, instead of those before; at any time between ticks.
+  ///     ship.setWeights({{.name = "deck cargo", .mass = 40e3, .place = {-12, 3, 7}}});
+  /// @throws HydroError ValueOutOfRange, BadArgument, naming weight, field and value; the weights
+  ///         before stay then.
+  void setWeights(std::vector<Weight> weights);
+  const std::vector<Weight>& weights() const noexcept;
+  /// A room for water. The reference is good as long as the ship.
+  /// @throws HydroError ValueOutOfRange, naming compartment, field and value.
+  Compartment& addCompartment(const CompartmentBox& box);
+  const std::vector<std::unique_ptr<Compartment>>& compartments() const noexcept;
+  /// The ship with all of it, now.
+  LoadedShip loading() const noexcept;
+  /// Wholly under water with a weight beyond the buoyancy of the whole hull: it goes down.
+  /// Nonlinear mode only; as at the start of the last tick.
+  bool foundered() const noexcept;
 
   // Autopilots. Orders may change at any time between ticks.
   // @throws HydroError ValueOutOfRange, naming field, value and bounds; the order before stays.
@@ -257,7 +289,8 @@ class Ship {
   void resetVelocity(const Vec3& linear, const Vec3& angular) noexcept;
   /// Begins anew, in microseconds; a free ship in waves takes some more of them for each component
   /// in its next tick. From here on the ship has the same bits as a new one with this start in the
-  /// sea of this moment. Orders to autopilots, parts and what is switched off stay.
+  /// sea of this moment. Orders to autopilots, parts, what it carries and what is switched off
+  /// stay.
   /// Contacts are Bullet's (Seaway::forgetContacts). Allocates nothing but for a fixed course on a
   /// heading or at a speed that no ship has had in this sea.
   /// @throws HydroError as SeaTables::exact, or ValueOutOfRange; nothing has changed then.
@@ -274,6 +307,7 @@ class Ship {
     std::array<btVector3, 4> velocities;  // linear, angular; interpolated
     std::array<btVector3, 2> past;        // v⁻
     std::array<Mat3, 2> pastAxes;         // of A∞ at v⁻
+    Mat3 pastBody = Mat3::Identity();     // axes of the body at v⁻
     Vec6 before;
     double lastStep = 0.0, stepBefore = 0.0;
     bool courseBegins = false, anew = false;
@@ -314,6 +348,8 @@ class Ship {
   void enterSea(ShipSea& sea, const SharedWaves& shared) noexcept;
   /// Of somebody else's constraint that holds our own body; null: none. Seaway asks it.
   btTypedConstraint* foreignConstraint() const noexcept;
+  /// Calm water is here from now on: its height [units of the world], and its speed upwards [m/s].
+  void setWater(double seaLevel, double rate) noexcept;
   /// Whether the body is known to stand in its world, which therefore lives.
   bool inWorld() const noexcept;
   /// Before its end: the world is known to live.
@@ -379,6 +415,15 @@ class Ship {
   void startAgain() noexcept;
   void turnAddedMass(const Mat3& own) const noexcept;
   void immerseAddedMass() const noexcept;
+  CarriedLoad& carriedLoad();
+  bool carries() const noexcept;
+  double carriedMass() const noexcept;
+  Mat6 carriedMatrix() const noexcept;
+  double carriedEnergy() const noexcept;
+  void carryInertia() const noexcept;
+  Vec3 turningOfCarried() const noexcept;
+  std::uint32_t outsideLoading() const noexcept;
+  Vec3 meanInEarth() const noexcept;
   Vec6 metMomentum() const noexcept;
   Mat6 addedMassNow() const noexcept;
   double mass() const noexcept;
@@ -433,6 +478,7 @@ class Ship {
   std::size_t gravityPart_ = kNone, addedMassPart_ = kNone;  // Bullet's own: their places in parts_
   Autopilots* autopilots_ = nullptr;                         // one of the parts
   const Resistance* resistance_ = nullptr;                   // one of the parts, or null
+  CarriedLoad* carried_ = nullptr;                           // one of the parts, or null
   std::shared_ptr<Helm> helm_;                               // null: neither engine nor rudder
   double preparedFor_ = 0.0;  // length of tick the parts were made for; 0: none
   std::uint64_t partsKey_ = 0;
@@ -459,6 +505,7 @@ class Ship {
   std::vector<Phasors4> phasors_;
   bool anew_ = true;                          // of a free ship: nothing is kept of what it was
   Vec3 turning_ = Vec3::Zero();               // −V × R A∞ν of this tick, in E [N·m]
+  double waterRate_ = 0.0;                    // of the calm water, upwards [m/s]
   double elevation_ = 0.0;                    // of the sea at the mean place [m]
   Vec6 velocityAfter_ = Vec6::Zero();         // v⁻ of the last solve, in E
   Vec6 velocityBefore_ = Vec6::Zero();        // the same a tick before

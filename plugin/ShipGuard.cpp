@@ -193,6 +193,10 @@ AddedMassConstraint& Ship::added() const {
     lent.make(*body_, frame_.mass(coefficients().addedMass.atInfinity), mass);
     if (nonlinear()) lent->setAddedMass(frame_.mass(addedMassNow()));
     turnAddedMass(ownAxesNow());
+    if (carried_ != nullptr) {
+      const Mat6 carried = frame_.mass(carriedMatrix());
+      lent->carry(carried, carried);
+    }
     lent->forgetPast();
     lent->setActive(parts_[addedMassPart_].on);
   }

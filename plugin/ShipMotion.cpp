@@ -165,7 +165,8 @@ void Ship::findInput(double time, double step) noexcept {
   now.leeway = course_.leeway();
   now.turnRate = course_.turnRate();
   findMotion(now);
-  now.weight = mass() * (toCourse() * frame_.lengthToEarth(world_.getGravity()));
+  now.gravity = toCourse() * frame_.lengthToEarth(world_.getGravity());
+  now.weight = mass() * now.gravity;
   const Mat3 toBody = now.attitude.transpose();
   now.velocityNow = rotated(toBody, toBody, velocityNow());
   elevation_ = now.sea->elevation(now.phasors, time);

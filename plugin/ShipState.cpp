@@ -10,6 +10,7 @@
 #include "hydro/forces/SeaTables.h"
 #include "hydro/forces/WettedHull.h"
 #include "hydro/forces/linear/FreeRadiation.h"
+#include "hydro/forces/nonlinear/CarriedLoad.h"
 #include "plugin/Rig.h"
 #include "plugin/SettingsCheck.h"
 #include "plugin/Ship.h"
@@ -98,6 +99,7 @@ Mat3 Ship::ownAxesNow() const noexcept {
 Vec6 Ship::velocityInEarth(const btVector3& linear, const btVector3& angular) const noexcept {
   Vec6 result;
   result << frame_.lengthToEarth(linear), frame_.directionToEarth(angular);
+  result[Heave] -= waterRate_;
   return result;
 }
 
@@ -124,7 +126,7 @@ Vec6 Ship::waterMomentum() const noexcept {
 
 Vec6 Ship::momentum() const noexcept {
   const Mat3 body = bodyAxes();
-  const Vec6 inertia = coefficients().ship.massMatrix() * velocity();
+  const Vec6 inertia = (coefficients().ship.massMatrix() + carriedMatrix()) * velocity();
   const Vec6 momentum = rotated(body, body, inertia) + waterMomentum();
   if (radiation_ == nullptr || !enabled("radiation")) return momentum;
   const Mat3 own = frame_.axes().transpose() * addedMass().pastAxes().angular * frame_.axes();
@@ -137,12 +139,13 @@ Vec6 Ship::momentum() const noexcept {
 double Ship::energy() const noexcept {
   const Mat3 body = bodyAxes(), halfStep = 0.5 * lastStep_ * toCourse();
   const Vec6 own = this->velocity(), velocity = rotated(body, body, own);
-  if (nonlinear()) return energyAtTick();
+  if (nonlinear()) return energyAtTick() + carriedEnergy();
   const Vec6 motion = this->motion() - rotated(halfStep, halfStep, velocity);
   const Mat6& given = coefficients().ship.restoring;
   const Mat6 restoring = free() ? freeRestoring(given) : given;
   return 0.5 * own.dot(coefficients().ship.massMatrix() * own) +
-         0.5 * velocity.dot(waterMomentum()) + 0.5 * motion.dot(restoring * motion);
+         0.5 * velocity.dot(waterMomentum()) + 0.5 * motion.dot(restoring * motion) +
+         carriedEnergy();
 }
 
 // The velocities before and after the kick of a tick, with the place in between. Of a fixed course
@@ -227,7 +230,7 @@ btTransform Ship::modelTransform() const noexcept {
 }
 
 void Ship::resetVelocity(const Vec3& linear, const Vec3& angular) noexcept {
-  body_->setLinearVelocity(frame_.length(linear));
+  body_->setLinearVelocity(frame_.length(Vec3(linear + waterRate_ * Vec3::UnitZ())));
   body_->setAngularVelocity(frame_.direction(angular));
   startAgain();
   known_.linear = body_->getLinearVelocity();
@@ -259,6 +262,7 @@ void Ship::save(Snapshot& s) const {
                   body_->getInterpolationLinearVelocity(),
                   body_->getInterpolationAngularVelocity()};
   s.past = {addedMass().linearVelocity(), addedMass().angularVelocity()};
+  s.pastBody = added().pastBody();
   s.pastAxes = {addedMass().pastAxes().linear, addedMass().pastAxes().angular};
   s.before = velocityBefore_;
   s.lastStep = lastStep_;
@@ -370,6 +374,7 @@ void Ship::restore(const Snapshot& s) {
   body_->setInterpolationAngularVelocity(s.velocities[3]);
   body_->forceActivationState(s.activation);
   added().setPast(s.past[0], s.past[1], {s.pastAxes[0], s.pastAxes[1]});
+  if (carried_ != nullptr) added().setCarried(frame_.mass(carriedMatrix()), s.pastBody);
   velocityAfter_ = velocityInEarth(s.past[0], s.past[1]);
   velocityBefore_ = s.before;
   lastStep_ = s.lastStep;
@@ -381,6 +386,9 @@ void Ship::restore(const Snapshot& s) {
   begun_ = false;
   record_ = s.record;
   remember();
+  if (carried_ != nullptr) {
+    for (const auto& room : carried_->compartments()) room->settle({position(), bodyAxes()});
+  }
   known_.pose = s.known;
   if (btMotionState* drawn = body_->getMotionState()) drawn->setWorldTransform(s.interpolated);
 }

@@ -166,7 +166,8 @@ bool Ship::apply(double step) noexcept {
   if (!loads.allFinite()) return false;
   const Vec3 impulse = step * (rotationZ(course_.heading()) * loads.head<3>());
   turning_ = turningOfAddedMass();
-  const Vec3 twist = step * (momentOf(input_.ownAxes, loads.tail<3>()) + turning_);
+  const Vec3 twist =
+      step * (momentOf(input_.ownAxes, loads.tail<3>()) + turning_ + turningOfCarried());
   body_->applyCentralImpulse(frame_.force(impulse));
   body_->applyTorqueImpulse(frame_.moment(twist));
   return true;
@@ -258,18 +259,16 @@ std::uint32_t Ship::tick(double time, btScalar step) noexcept {
   record_.attitude = attitude();
   findInput(time, length);
   record_.velocity = input_.velocityNow;
-  faults |= outsideTheory();
+  faults |= outsideTheory() | outsideLoading();
   faults |= evaluate();
   if (!apply(std::min(length, longestTick_))) faults |= kLoadNotFinite;
   turnByInertia(length);
   holdLockedYaw(length);
   turnAddedMass(input_.ownAxes);
   immerseAddedMass();
+  carryInertia();
   AddedMassConstraint& addedMass = added();
-  if (!free()) {
-    const Vec3 mean = rotationZ(input_.meanHeading) * Vec3(input_.speed, 0.0, 0.0);
-    addedMass.setMean(frame_.length(mean));
-  }
+  addedMass.setMean(frame_.length(meanInEarth()));
   addedMass.beginTick(step);
   aimRestraint(length);
   return faults;
@@ -289,9 +288,10 @@ void Ship::aimRestraint(double step) noexcept {
   if (!rig_->restraint.lent) return;
   const MeanCourse::Place next = line_.ahead(step);
   const Mat3 course = rotationZ(line_.heading()), heading = rotationZ(this->heading());
-  const Vec3 way = course.transpose() *
-                   (Vec3(next.x, next.y, coefficients().ship.cog.z()) - record_.position) /
-                   (step * frame_.metresPerUnit);
+  const Vec3 way =
+      course.transpose() *
+      (Vec3(next.x, next.y, coefficients().ship.cog.z() + waterRate_ * step) - record_.position) /
+      (step * frame_.metresPerUnit);
   const double turn = std::remainder(next.heading - this->heading(), 2.0 * kPi);
   const Vec3 swing = Vec3(-input_.eta[Roll], -input_.eta[Pitch], turn) / step;
   std::array<btScalar, 6> wanted;
@@ -312,10 +312,15 @@ std::uint32_t Ship::endTick(btScalar step) noexcept {
     addedMass.setPast(known_.linear, known_.angular, addedMass.pastAxes());
   velocityBefore_ = velocityAfter_;
   velocityAfter_ = velocityInEarth(addedMass.linearVelocity(), addedMass.angularVelocity());
+  // The solver's rows hold the inertia of what is carried as well, which is no load of the water.
+  const Vec6 carried = carried_ != nullptr && step > 0
+                           ? Vec6(addedMass.carriedChange() / static_cast<double>(step))
+                           : Vec6(Vec6::Zero());
   Vec6 load;
-  load << toCourse() * frame_.forceToEarth(toBullet(addedMass.force())),
-      generalisedMoment(input_.ownAxes,
-                        frame_.momentToEarth(toBullet(addedMass.moment())) + turning_);
+  load << toCourse() * frame_.forceToEarth(toBullet(addedMass.force() + carried.head<3>())),
+      generalisedMoment(
+          input_.ownAxes,
+          frame_.momentToEarth(toBullet(addedMass.moment() + carried.tail<3>())) + turning_);
   if (!load.allFinite()) load.setZero();
   record_.loads[addedMassPart_] = load;
   stepBefore_ = lastStep_;

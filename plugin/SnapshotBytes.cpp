@@ -38,6 +38,7 @@ void visitFields(Visitor& v, Snapshot& s) {
   v.field("velocities", s.velocities);
   v.field("past", s.past);
   v.field("pastAxes", s.pastAxes);
+  v.field("pastBody", s.pastBody);
   v.field("before", s.before);
   v.field("lastStep", s.lastStep);
   v.field("stepBefore", s.stepBefore);
@@ -83,6 +84,7 @@ requires std::same_as<std::remove_const_t<Snapshot>, Seaway::Snapshot>
 void visitFields(Visitor& v, Snapshot& s) {
   v.field("time", s.time);
   v.field("seaKey", s.seaKey);
+  v.field("calmLevel", s.calmLevel);
   v.field("ships", s.ships);
   v.field("floats", s.floats);
 }

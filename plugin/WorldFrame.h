@@ -9,7 +9,8 @@ CUTWATER_PLUGIN_BEGIN
 ///     world.setGravity(btVector3(0, -980.665f, 0));
 ///     const btVector3 above = seaway.frame().place(ship.position() + Vec3(0, 0, 20));
 ///
-/// Everything that Cutwater gives and takes is SI in E (z up, z = 0 at calm water);
+/// Everything that Cutwater gives and takes is SI in E (z up, z = 0 at calm water, with which it
+/// moves: Seaway::setCalmLevel);
 /// everything of Bullet's own (bodies, worlds, btIDebugDraw) is in the world's axes and units. The
 /// world's origin in plan is E's. Gravity is to be given to Bullet in the world's units, as for any
 /// scene.
@@ -47,9 +48,13 @@ struct WorldFrame {
   btVector3 length(const Vec3& v) const noexcept { return direction(v / metresPerUnit); }
   // Places.
   Vec3 placeToEarth(const btVector3& v) const noexcept {
-    return lengthToEarth(v - seaLevelVector());
+    Vec3 place = directionToEarth(v);
+    place.z() -= seaLevel;
+    return metresPerUnit * place;
   }
-  btVector3 place(const Vec3& v) const noexcept { return length(v) + seaLevelVector(); }
+  btVector3 place(const Vec3& v) const noexcept {
+    return direction(v / metresPerUnit + seaLevel * Vec3::UnitZ());
+  }
   // Forces and impulses; moments and angular impulses.
   double forceUnit() const noexcept { return kilogramsPerUnit * metresPerUnit; }  ///< N per unit
   double momentUnit() const noexcept { return forceUnit() * metresPerUnit; }      ///< N·m per unit
@@ -73,9 +78,6 @@ struct WorldFrame {
   Vec6 momentum(const Vec6& p) const noexcept;
   /// Principal moments of inertia [kg·m²] of body axes, likewise.
   btVector3 inertia(const Vec3& principal) const noexcept;
-
- private:
-  btVector3 seaLevelVector() const noexcept { return upwards() * static_cast<btScalar>(seaLevel); }
 };
 
 CUTWATER_PLUGIN_END

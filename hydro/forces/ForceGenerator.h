@@ -40,6 +40,7 @@ struct TickInput {
   Mat3 attitude = Mat3::Identity();  ///< R_EB: v_E = R_EB v_B
   Vec6 velocityNow = Vec6::Zero();   ///< u, v, w [m/s], p, q, r [rad/s] in B
   Vec3 weight = Vec3::Zero();        ///< Bullet's gravity on the body, in H [N]
+  Vec3 gravity = Vec3::Zero();       ///< the world's, in H [m/s²]
 
   // The same in axes along the ship's heading and pitch, but not its roll (OwnAxes.h).
   Mat3 ownAxes = Mat3::Identity();        ///< v_E = R v, as they will be at t_n + h/2

@@ -7,9 +7,12 @@
 #include <new>
 #include <vector>
 
+#include "hydro/forces/nonlinear/CarriedLoad.h"
+#include "hydro/geometry/shapes/Shapes.h"
 #include "plugin/Recorder.h"
 #include "tests/plugin/TestShip.h"
 #include "tests/plugin/TestWorld.h"
+#include "tests/support/BareHull.h"
 #include "tests/support/Results.h"
 
 namespace {
@@ -142,6 +145,27 @@ TEST(Allocation, NoneOfOursInTheFirstTickNorInAReset) {
     EXPECT_EQ(allocations - all, 0);
   }
   btAlignedAllocSetCustom(nullptr, nullptr);
+}
+
+// Of a ship that is flooded, with cargo, while the water rises, and of its snapshot.
+TEST(Allocation, NoneInATickOfAShipThatFloods) {
+  TestWorld world(9.81);
+  Seaway seaway(world.world);
+  Ship& ship = seaway.addShip(bareShip({.closed = closedBox({12.0, 4.0, 0.8, 1.2}, 12, 2, 2),
+                                        .cog = Vec3(0.0, 0.0, 0.2),
+                                        .gyradii = Vec3(1.4, 3.4, 3.4)}));
+  Compartment& hold = ship.addCompartment({.name = "hold", .size = {4.0, 3.0, 1.0}});
+  hold.openTo({.place = {0.0, 1.5, -0.4}, .area = 0.02});
+  ship.setWeights({{.name = "crate", .mass = 500.0, .place = {2.0, 0.5, 1.0}}});
+  seaway.setCalmLevel(1.0, 0.05);
+  const btScalar tick = btScalar(1) / 64;
+  for (int i = 0; i < 10; ++i) world.world.stepSimulation(tick, 1, tick);
+  Seaway::Snapshot snapshot = seaway.save();
+  const long before = allocations;
+  for (int i = 0; i < 500; ++i) world.world.stepSimulation(tick, 1, tick);
+  seaway.save(snapshot);
+  seaway.restore(snapshot);
+  EXPECT_EQ(allocations - before, 0);
 }
 
 }  // namespace

@@ -196,7 +196,7 @@ TEST(AshoreClosedForm, WhatTheHullCannotCarrySinks) {
   recordResult(kTopic, named("with three times its mass: sinks at [m/s]"), expected, speed,
                "+- 1 %");
   EXPECT_NEAR(speed / std::sqrt(force / drag), 1.0, 0.01);
-  EXPECT_EQ(shore.seaway.faults(), kMassChanged | kOutOfWater);
+  EXPECT_EQ(shore.seaway.faults(), kMassChanged | kOutOfWater | kFoundered);
 }
 
 }  // namespace
