@@ -115,11 +115,11 @@ TEST(Allocation, NoneInATickOfFloats) {
     for (int i = 0; i < 10; ++i) world.world.stepSimulation(tick, 1, tick);
     EXPECT_EQ(ours() - first, 0);
     Seaway::Snapshot snapshot = seaway.save();
-    const long before = allocations;
+    const long before = ours();
     for (int i = 0; i < 500; ++i) world.world.stepSimulation(tick, 1, tick);
     seaway.save(snapshot);
     seaway.restore(snapshot);
-    EXPECT_EQ(allocations - before, 0);
+    EXPECT_EQ(ours() - before, 0);  // Bullet's own lists grow when a body wakes
     for (const auto& body : bodies) world.world.removeRigidBody(body.get());
   }
   btAlignedAllocSetCustom(nullptr, nullptr);
