@@ -81,6 +81,23 @@ if (name eq 'following_seas') {
        in every ::1 using 1:4 with lines lc rgb blue title 'heave', \
        in every ::1 using 1:5 with lines lc rgb red title 'roll [°]'
 }
+if (name eq 'flooding') {
+  set ylabel '[m], [°]'
+  set yrange [-20:120]
+  plot in every ::1 using 1:2 with lines lc rgb blue title 'height of G [m]', \
+       in every ::1 using 1:3 with lines lc rgb red title 'roll [°]'
+}
+if (name eq 'lock') {
+  set ylabel '[m]'
+  plot in every ::1 using 1:2 with lines lc rgb blue title 'calm water', \
+       in every ::1 using 1:3 with lines lc rgb red title 'height of G'
+}
+if (name eq 'overboard') {
+  set ylabel '[°], [m]'
+  plot in every ::1 using 1:2 with lines lc rgb blue title 'roll [°]', \
+       in every ::1 using 1:6 with lines lc rgb red title 'height of a crate [m]', \
+       in every ::1 using 1:3 with lines lc rgb green title 'crates overboard'
+}
 if (name eq 'manoeuvres') {
   set xlabel 'x [m]'
   set ylabel 'y [m]'
