@@ -14,8 +14,8 @@ constexpr double kOff = 1e-5, kOffX = 0.37 * kOff, kOffY = 0.53 * kOff, kOffZ = 
 constexpr double kBelowWater[] = {0.3, 0.9, 1.9};
 // Of planes nearer to a thin part's than this many lengths there is no need.
 constexpr double kNear = 0.55;
-constexpr double kThinApart = 0.2;   // lengths between two planes of thin parts
-constexpr double kMargin = 1.4;  // lengths beyond the body
+constexpr double kThinApart = 0.2;  // lengths between two planes of thin parts
+constexpr double kMargin = 1.4;     // lengths beyond the body
 
 /// Extra planes take the place of those near them; the first and the last may have to stay.
 void insert(std::vector<double>& planes, const std::vector<double>& extra, double length,
