@@ -83,7 +83,7 @@ if (name eq 'following_seas') {
 }
 if (name eq 'flooding') {
   set ylabel '[m], [°]'
-  set yrange [-20:120]
+  set yrange [-130:30]
   plot in every ::1 using 1:2 with lines lc rgb blue title 'height of G [m]', \
        in every ::1 using 1:3 with lines lc rgb red title 'roll [°]'
 }

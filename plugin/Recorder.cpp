@@ -7,6 +7,7 @@
 #include "hydro/Errors.h"
 #include "hydro/base/AtomicFile.h"
 #include "hydro/base/CsvRow.h"
+#include "hydro/forces/Compartment.h"
 
 CUTWATER_PLUGIN_BEGIN
 
@@ -33,6 +34,12 @@ Recorder::Recorder(Seaway& seaway, const Ship& ship, RecorderSettings settings)
                        "Recorder: wetted: in mode = \"linear\" the hull is always wet as it is at "
                        "rest; take mode = \"nonlinear\"");
     names_.insert(names_.end(), kWettedColumns.begin(), kWettedColumns.end());
+  }
+  if (settings.compartments) {
+    for (const auto& room : ship.compartments()) {
+      rooms_.push_back(room.get());
+      names_.push_back(room->box().name + "_water");
+    }
   }
   if (settings.forces) matchParts();
   seaway_.addObserver(*this);
@@ -81,6 +88,7 @@ void Recorder::tickDone(const Seaway&) noexcept {
     put(std::array{wet.area, wet.volume, wet.centre.x(), wet.centre.y(), wet.centre.z(),
                    wet.immersion});
   }
+  for (const Compartment* room : rooms_) numbers_.push_back(room->volume());
   if (!settings_.forces) return;
   const std::size_t first = numbers_.size();
   numbers_.resize(first + 6 * parts_.size(), 0.0);

@@ -13,8 +13,9 @@ CUTWATER_PLUGIN_BEGIN
 
 /// What a Recorder writes down.
 struct RecorderSettings {
-  bool forces = false;  ///< the parts of the load as well
-  int every = 1;        ///< record one tick in so many, the first one included
+  bool forces = false;        ///< the parts of the load as well
+  int every = 1;              ///< record one tick in so many, the first one included
+  bool compartments = false;  ///< the water in those that the ship has now
   bool wetted = false;  ///< what of the hull is wet as well (Ship::wetted); nonlinear mode only
 };
 
@@ -22,6 +23,8 @@ struct RecorderSettings {
 ///   t,x,y,z,roll_deg,pitch_deg,yaw_deg,u,v,w,p,q,r,wave
 /// with wetted, what of the hull was in the water (Ship::wetted), its centre of buoyancy [m] in E:
 ///   wetted_area,submerged_volume,buoyancy_x,buoyancy_y,buoyancy_z,immersion
+/// with compartments, the water in each at the end of the tick [m³], by its name:
+///   NAME_water
 /// with forces PART_F1 … PART_F6 for each part of the load, in the order of Ship::parts().
 /// A row is the state at t_n and the loads evaluated from it (TickRecord): x, y, z of G [m] in E; u
 /// … r [m/s, rad/s] in B; forces [N] in H, moments [N·m] about G in upright axes with the ship's
@@ -60,6 +63,7 @@ class Recorder final : private TickObserver {
   RecorderSettings settings_;
   std::size_t ticks_ = 0;
   std::vector<std::string> names_;
+  std::vector<const Compartment*> rooms_;
   std::vector<std::string> parts_;   // that have columns
   std::vector<std::size_t> places_;  // of the ship's parts as last seen, in parts_
   std::uint64_t partsKey_ = 0;       // of those

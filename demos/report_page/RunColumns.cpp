@@ -66,10 +66,14 @@ std::string unitOf(const std::string& column) {
     if (known.name == column) return std::string(known.unit);
   for (const Column& known : kWetted)
     if (known.name == column) return std::string(known.unit);
+  if (column.ends_with("_water")) return "m^3";
   return column.back() <= '3' ? "N" : "N m";
 }
 
-// Motions, then what of the hull is wet, then parts of the load, six columns each.
+constexpr std::string_view kWaterIn = "_water";  // ends the column of a compartment
+
+// Motions, then what of the hull is wet, then the water in compartments, then parts of the load, six
+// columns each.
 std::vector<std::string> partsOf(const std::string& csv, const std::vector<std::string>& columns) {
   std::size_t at = kMotions.size();
   if (at < columns.size() && columns[at] == kWetted[0].name) {
@@ -80,6 +84,7 @@ std::vector<std::string> partsOf(const std::string& csv, const std::vector<std::
       ++at;
     }
   }
+  while (at < columns.size() && columns[at].ends_with(kWaterIn)) ++at;
   std::vector<std::string> parts;
   for (; at < columns.size(); at += 6) {
     parts.push_back(partOf(columns[at]));

@@ -179,6 +179,18 @@ void bodyJson(Json& json, const ShownRun& run) {
   json.key("hull").null().key("cogZ").null();
 }
 
+// Rooms of the ship, about G as the hull; their water is in columns of theirs.
+void compartmentsJson(Json& json, const ShownRun& run) {
+  json.key("compartments").beginArray();
+  for (const command::RunCompartment& room : run.file.compartments) {
+    const CompartmentBox& box = room.box;
+    const Vec3 centre = box.centre - (run.of ? run.of->ship.cog : Vec3(Vec3::Zero()));
+    json.beginObject().field("name", box.name).field("permeability", box.permeability);
+    json.key("centre").list({centre.data(), 3}).key("size").list({box.size.data(), 3}).end();
+  }
+  json.end();
+}
+
 const char* modeName(const ShownRun& run) {
   const ShipModel& model = run.file.model;
   const bool closed = run.of && !run.of->ship.hull.faces.empty();
@@ -213,6 +225,7 @@ void runJson(Json& json, const ShownRun& run, double gravity) {
   json.beginObject().field("name", path.stem().string()).field("file", path.filename().string());
   json.field("kind", sweep ? "sweep" : "simulate");
   bodyJson(json, run);
+  compartmentsJson(json, run);
   json.field("gravity", gravity).field("double", run.file.doublePrecision);
   json.field("dt", run.file.tick).field("mode", modeName(run));
   json.field("mean", run.file.model.mean == Mean::Free ? "free" : "fixed");

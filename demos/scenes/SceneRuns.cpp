@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "hydro/base/EnumNames.h"
+#include "hydro/forces/Compartment.h"
 
 namespace cutwater {
 
@@ -43,8 +44,8 @@ SceneRuns::~SceneRuns() { seaway_.removeObserver(*this); }
 
 void SceneRuns::ship(const std::string& name, const Ship& ship, const ShipSettings& settings) {
   if (!files_) return;
-  const RecorderSettings every{.every = every_};
-  ships_.push_back({name, settings, std::make_unique<Recorder>(seaway_, ship, every)});
+  const RecorderSettings recorded{.every = every_, .compartments = true};
+  ships_.push_back({name, settings, &ship, std::make_unique<Recorder>(seaway_, ship, recorded)});
 }
 
 void SceneRuns::box(const std::string& name, const btRigidBody& body, const Vec3& size) {
@@ -101,6 +102,19 @@ std::string SceneRuns::motion(const ShipSettings& settings) const {
   return text;
 }
 
+std::string SceneRuns::rooms(const Ship& ship) {
+  const auto list = [](const Vec3& v) {
+    return "[" + exact(v.x()) + ", " + exact(v.y()) + ", " + exact(v.z()) + "]";
+  };
+  std::string text;
+  for (const auto& room : ship.compartments()) {
+    const CompartmentBox& box = room->box();
+    text += "[[compartment]]\nname = \"" + box.name + "\"\ncentre = " + list(box.centre) +
+            "\nsize = " + list(box.size) + "\npermeability = " + exact(box.permeability) + "\n";
+  }
+  return text;
+}
+
 void SceneRuns::writeRun(const std::string& name, const std::string& about,
                          const std::string& motion, const std::string& csv) const {
   const std::string stem = files_->stem + "_" + name;
@@ -117,7 +131,7 @@ void SceneRuns::write() const {
   const fs::path folder = fs::absolute(files_->stem).parent_path();
   const std::string database = fs::proximate(fs::absolute(files_->database), folder).string();
   for (const OneShip& one : ships_)
-    writeRun(one.name, "database = \"" + database + "\"\n", motion(one.settings),
+    writeRun(one.name, "database = \"" + database + "\"\n", motion(one.settings) + rooms(*one.ship),
              one.recorder->csv());
   for (const Box& box : boxes_)
     writeRun(box.name,

@@ -26,6 +26,7 @@ class SceneRuns : private TickObserver {
   SceneRuns(const SceneRuns&) = delete;
   SceneRuns& operator=(const SceneRuns&) = delete;
 
+  /// With the compartments that it has now, whose names are of letters, digits and _.
   void ship(const std::string& name, const Ship& ship, const ShipSettings& settings);
   /// @param size  length, beam, height [m] along the body's axes, about its centre of mass.
   void box(const std::string& name, const btRigidBody& body, const Vec3& size);
@@ -36,6 +37,7 @@ class SceneRuns : private TickObserver {
   struct OneShip {
     std::string name;
     ShipSettings settings;
+    const Ship* ship;
     std::unique_ptr<Recorder> recorder;
   };
   struct Box {
@@ -48,6 +50,7 @@ class SceneRuns : private TickObserver {
   void addRow(Box& box, double time);
   std::string sea() const;
   std::string motion(const ShipSettings& settings) const;
+  static std::string rooms(const Ship& ship);
   void writeRun(const std::string& name, const std::string& about, const std::string& motion,
                 const std::string& csv) const;
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "demos/scenes/DemoShip.h"
+#include "demos/scenes/SceneRuns.h"
 #include "hydro/forces/Compartment.h"
 
 using namespace cutwater;
@@ -24,7 +25,7 @@ struct Flooding {
         length(coefficients.ship.length()),
         beam(coefficients.ship.beam()),
         draught(-ship.hydrodynamics().keel()) {
-    wing = &ship.addCompartment({.name = "starboard wing",
+    wing = &ship.addCompartment({.name = "wing",
                                  .centre = {0.0, -0.18 * beam, -0.2 * draught},
                                  .size = {0.12 * length, 0.25 * beam, 1.2 * draught},
                                  .permeability = 0.85});
@@ -32,7 +33,7 @@ struct Flooding {
     for (int i = -2; i <= 2; ++i) {
       const double across = i == 0 ? 0.55 : 0.8;
       holds.push_back(&ship.addCompartment(
-          {.name = "hold",
+          {.name = "hold" + std::to_string(i + 3),
            .centre = {0.15 * length * i, i == 0 ? 0.22 * beam : 0.0, 0.15 * draught},
            .size = {0.14 * length, across * beam, 2.0 * draught},
            .permeability = 0.95}));
@@ -71,6 +72,8 @@ bool settlesWhereItShould(Flooding& scene) {
 
 bool run(const Coefficients& coefficients, DemoTable& table) {
   Flooding scene(coefficients);
+  SceneRuns runs(table, scene.seaway, kTick, 25);
+  runs.ship("ship", scene.ship, {});
   while (scene.seaway.time() < kHoled) scene.tick(table);
   const Vec3 middle = scene.wing->box().centre, half = 0.5 * scene.wing->box().size;
   scene.wing->openTo({.place = middle - Vec3(0.0, half.y(), 0.5 * half.z()), .area = 1.0});
@@ -86,6 +89,7 @@ bool run(const Coefficients& coefficients, DemoTable& table) {
   while (scene.seaway.time() < until) scene.tick(table);
   good &= isBelow("height of G after 30 s more [m]", scene.ship.position().z(), under - 10.0);
   good &= (scene.seaway.faults() & ~kWarningBits) == 0;
+  runs.write();
   return good && (scene.seaway.faults() & kFoundered) != 0;
 }
 

@@ -46,7 +46,13 @@ class RunShip {
         seaway_(bullet_.world, run.seaState(hydrodynamics->ship().gravity, index)),
         ship_(seaway_.addShip(std::move(hydrodynamics), {run.start, run.model, {}})),
         tick_(static_cast<btScalar>(run.tick)),
-        substeps_(run.substeps) {}
+        substeps_(run.substeps) {
+    for (const RunCompartment& room : run.compartments) {
+      Compartment& made = ship_.addCompartment(room.box);
+      made.setRate(room.rate);
+      for (const Opening& opening : room.openings) made.openTo(opening);
+    }
+  }
 
   /// One stepSimulation of `substeps` ticks. Bullet counts ticks by dividing times and may round
   /// one away; it keeps the rest, so one tick more is allowed for the call after.

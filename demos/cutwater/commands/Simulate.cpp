@@ -187,7 +187,9 @@ void simulate(const std::string& path, const RunColumns& columns, const std::str
   requireWetted(run, columns, world.ship());
   world.ship().measureCosts(columns.forces);
   Recorder recorder(world.seaway(), world.ship(),
-                    {.forces = columns.forces, .wetted = columns.wetted});
+                    {.forces = columns.forces,
+                     .compartments = !run.compartments.empty(),
+                     .wetted = columns.wetted});
   const std::size_t rows = rowsOf(run, recorder.columns().size());
   recorder.reserve(rows + static_cast<std::size_t>(run.substeps));
   stepAll(run, recorder, world, rows);

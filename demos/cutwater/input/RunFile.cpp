@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "demos/cutwater/input/ShipFile.h"
@@ -174,6 +175,49 @@ void readBody(TomlSection body, bool ship, RunFile& run) {
   body.finish();
 }
 
+// The name begins a column of the CSV.
+std::string readName(TomlSection& item, const RunFile& run) {
+  std::string name =
+      item.has("name") ? item.text("name", "") : fmt::format("room{}", run.compartments.size() + 1);
+  const auto good = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  if (name.empty() || !std::all_of(name.begin(), name.end(), good))
+    item.refuse("name", "must be of letters, digits and _: it begins a column");
+  for (const RunCompartment& other : run.compartments)
+    if (other.box.name == name) item.refuse("name", "there is another \"" + name + "\"");
+  return name;
+}
+
+void readCompartments(TomlSection& root, RunFile& run) {
+  for (TomlSection item : root.tables("compartment")) {
+    RunCompartment room;
+    room.box.name = readName(item, run);
+    for (const char* key : {"centre", "size"})
+      if (!item.has(key)) item.refuse(key, "is missing: three lengths in metres, in hull axes");
+    room.box.centre = item.vector("centre", Vec3::Zero());
+    room.box.size = item.vector("size", Vec3::Zero());
+    if (!(room.box.size.minCoeff() > 0.0)) item.refuse("size", "must be above 0");
+    room.box.permeability = item.number("permeability", 1.0, 0.01, 1.0);
+    room.box.volume = item.number("volume", 0.0, 0.0, 1e6);
+    const double capacity = room.box.permeability * room.box.size.prod();
+    if (room.box.volume > capacity)
+      item.refuse("volume", fmt::format("must be at most {:.6g}, all that fits in", capacity));
+    room.box.freeSurface = item.boolean("free_surface", true);
+    room.rate = item.number("rate", 0.0, -1e4, 1e4);
+    for (TomlSection hole : item.tables("openings")) {
+      Opening opening;
+      for (const char* key : {"place", "area"})
+        if (!hole.has(key)) hole.refuse(key, "is missing");
+      opening.place = hole.vector("place", Vec3::Zero());
+      opening.area = hole.number("area", 1.0, 1e-6, 1e4);
+      opening.discharge = hole.number("discharge", 0.6, 0.01, 1.0);
+      hole.finish();
+      room.openings.push_back(opening);
+    }
+    item.finish();
+    run.compartments.push_back(std::move(room));
+  }
+}
+
 void readStart(TomlSection start, RunFile& run) {
   const char* offsets[6] = {"x", "y", "z", "roll_deg", "pitch_deg", "yaw_deg"};
   const char* velocities[6] = {"u", "v", "w", "p", "q", "r"};
@@ -259,6 +303,7 @@ RunFile readRunFile(const std::string& path, Mean usual, RunUse use) {
   readBullet(file.section("bullet"), run);
   readMotion(file.section("motion"), run);
   readWaves(file.section("waves"), run);
+  readCompartments(root, run);
   if (root.has("body")) readBody(file.section("body"), ship, run);
   root.finish();
   return run;

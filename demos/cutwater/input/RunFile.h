@@ -5,11 +5,19 @@
 
 #include "demos/cutwater/input/ForeignDatabase.h"
 #include "hydro/database/Coefficients.h"
+#include "hydro/forces/Compartment.h"
 #include "hydro/forces/ShipSettings.h"
 #include "hydro/waves/SeaState.h"
 #include "hydro/waves/Spectrum.h"
 
 namespace cutwater::command {
+
+/// [[compartment]]: a room of the ship that water can be in.
+struct RunCompartment {
+  CompartmentBox box;
+  double rate = 0.0;  ///< [m³/s]
+  std::vector<Opening> openings;
+};
 
 /// A RUN.toml: what one simulation is made of. Units SI, angles in radians here.
 struct RunFile {
@@ -32,6 +40,7 @@ struct RunFile {
   SeaStateSettings sea;            ///< ramp and profile of all seas
   std::optional<ForeignBody> body;  ///< [body]
   std::vector<WaveComponent> components;
+  std::vector<RunCompartment> compartments;  ///< [[compartment]]
 
   /// β of regular waves and mean β of spectra, relative to the initial course.
   double heading = kPi;

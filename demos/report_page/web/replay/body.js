@@ -78,6 +78,47 @@ function decorationGroup(shape, material) {
   return group;
 }
 
+/// A ship's compartments, about G as its hull: the edges of each, and its water, which is drawn as it
+/// lies in the upright ship. Both show through the hull.
+class DrawnRooms {
+  constructor(compartments, track) {
+    this.track = track;
+    this.group = new THREE.Group();
+    this.rooms = compartments.map(({ name, centre, size, permeability }) => {
+      const box = new THREE.BoxGeometry(...size);
+      const edges = new THREE.LineSegments(
+        new THREE.EdgesGeometry(box),
+        new THREE.LineBasicMaterial({
+          color: 0xe9eef2, transparent: true, opacity: 0.7, depthTest: false, toneMapped: false,
+        }),
+      );
+      const water = new THREE.Mesh(
+        box,
+        new THREE.MeshBasicMaterial({
+          color: 0x2f7fb5, transparent: true, opacity: 0.55, depthTest: false, depthWrite: false,
+          toneMapped: false,
+        }),
+      );
+      edges.position.set(centre[0], centre[1], centre[2]);
+      [water.renderOrder, edges.renderOrder] = [4, 5];
+      this.group.add(water, edges);
+      return { name, centre, size, permeability, water };
+    });
+  }
+
+  /// The water at t.
+  fill(t) {
+    for (const { name, centre, size, permeability, water } of this.rooms) {
+      const volume = this.track.value(`${name}_water`, t);
+      const share = volume / (permeability * size[0] * size[1] * size[2]);
+      water.visible = share > 1e-4;
+      if (!water.visible) continue;
+      water.scale.set(1, 1, Math.min(1, share));
+      water.position.set(centre[0], centre[1], centre[2] - 0.5 * size[2] * (1 - Math.min(1, share)));
+    }
+  }
+}
+
 /// A body as it is drawn: `group` in local axes.
 export class DrawnBody {
   constructor(body, shape, light, sums, grid) {
@@ -88,11 +129,13 @@ export class DrawnBody {
     const hull = new THREE.Mesh(this.geometry, this.material);
     hull.frustumCulled = false;
     this.extra = decorationGroup(shape, this.material);
-    this.group = new THREE.Group().add(hull, this.extra);
+    this.rooms = new DrawnRooms(body.compartments ?? [], body.track);
+    this.group = new THREE.Group().add(hull, this.extra, this.rooms.group);
     this.kilopascals = new Float64Array(body.hull.points.length / 3);
   }
 
-  place(pose, [x, y]) {
+  place(pose, [x, y], t) {
+    this.rooms.fill(t);
     this.group.position.set(pose.position[0] - x, pose.position[1] - y, pose.position[2]);
     this.group.quaternion.set(...pose.q);
     this.group.updateMatrixWorld();

@@ -86,6 +86,7 @@ async function bodyOf(run, page) {
     cogZ: run.cogZ ?? page.ship.cog[2],
     mass: run.hull || run.body ? null : page.ship.mass,
     track: makeTrack(columns),
+    compartments: run.compartments ?? [],
     tow: run.tow ?? null,
   };
 }

@@ -154,7 +154,7 @@ export class Stage {
     const { bodies, bodyPlaces, bodySizes } = this.surface.uniforms;
     bodies.value = Math.min(MAX_BODIES, this.drawn.length);
     this.drawn.forEach((body, i) => {
-      body.place(poses[i], this.origin);
+      body.place(poses[i], this.origin, t);
       const rank = this.bySize.indexOf(i);
       if (rank < MAX_BODIES) body.mirror(poses[i], bodyPlaces.value[rank], bodySizes.value[rank]);
       if (this.show.pressure) body.setPressures(poses[i], this.scene.sea, t, this.scene.density);
