@@ -72,8 +72,8 @@ std::string unitOf(const std::string& column) {
 
 constexpr std::string_view kWaterIn = "_water";  // ends the column of a compartment
 
-// Motions, then what of the hull is wet, then the water in compartments, then parts of the load, six
-// columns each.
+// Motions, then what of the hull is wet, then the water in compartments, then parts of the load,
+// six columns each.
 std::vector<std::string> partsOf(const std::string& csv, const std::vector<std::string>& columns) {
   std::size_t at = kMotions.size();
   if (at < columns.size() && columns[at] == kWetted[0].name) {

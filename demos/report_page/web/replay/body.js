@@ -78,8 +78,8 @@ function decorationGroup(shape, material) {
   return group;
 }
 
-/// A ship's compartments, about G as its hull: the edges of each, and its water, which is drawn as it
-/// lies in the upright ship. Both show through the hull.
+/// A ship's compartments, about G as its hull: the edges of each, and its water, which is drawn as
+/// it lies in the upright ship. Both show through the hull.
 class DrawnRooms {
   constructor(compartments, track) {
     this.track = track;
@@ -110,11 +110,11 @@ class DrawnRooms {
   fill(t) {
     for (const { name, centre, size, permeability, water } of this.rooms) {
       const volume = this.track.value(`${name}_water`, t);
-      const share = volume / (permeability * size[0] * size[1] * size[2]);
+      const share = Math.min(1, volume / (permeability * size[0] * size[1] * size[2]));
       water.visible = share > 1e-4;
       if (!water.visible) continue;
-      water.scale.set(1, 1, Math.min(1, share));
-      water.position.set(centre[0], centre[1], centre[2] - 0.5 * size[2] * (1 - Math.min(1, share)));
+      water.scale.set(1, 1, share);
+      water.position.set(centre[0], centre[1], centre[2] - 0.5 * size[2] * (1 - share));
     }
   }
 }
