@@ -86,7 +86,7 @@ TEST(SeaTables, WavesBeyondTheDatabaseHaveNoLoadsAndAreSaid) {
   for (const char* words : {"omega_max = ", "2 of 6 waves", "55.6 % of m0"})
     EXPECT_NE(said.find(words), std::string::npos) << said;
   const auto exact = tables.exact(0.3, 2.0), expected = all.exact(0.3, 2.0);
-  const auto table = tables.following(), other = all.following().front();
+  const auto table = tables.following().front(), other = all.following().front();
   EXPECT_LT(table->error(), 0.01);
   for (std::size_t i = 0; i < waves.size(); ++i) {
     const bool beyond = i == 1 || i == 5;
