@@ -154,9 +154,12 @@ void AddedMassConstraint::carry(const Mat6& mass, const Mat6& kept) noexcept {
   carriedKept_ = kept;
 }
 
-void AddedMassConstraint::setCarried(const Mat6& mass, const Mat3& pastBody) noexcept {
-  carry(mass, mass);
+void AddedMassConstraint::setCarried(const Mat6& mass, const Mat3& pastBody,
+                                     bool carries) noexcept {
+  carries_ = carries;
+  carried_ = carriedKept_ = mass;
   pastBody_ = pastBody;
+  if (!carries_ && !held_) findRows(addedMass_);
 }
 
 void AddedMassConstraint::change(const Change& change) noexcept {
@@ -188,8 +191,8 @@ AddedMassConstraint::TurningAxes AddedMassConstraint::axes() const noexcept {
 // action runs; a vehicle's impulse in an action that ran before ours is thus still ahead of v⁻.
 void AddedMassConstraint::endTick() noexcept {
   setPast(m_rbA.getInterpolationLinearVelocity(), m_rbA.getInterpolationAngularVelocity(), solved_);
-  if (!carries_) return;
   pastBody_ = body_;
+  if (!carries_) return;
   carriedKept_ = carried_;
   carriedChange_ = momentumOfCarried() - carriedBefore_ + given_;
 }
@@ -352,8 +355,8 @@ void AddedMassConstraint::beginTick(btScalar step) noexcept {
   step_ = step;
   solved_ = axes();  // Bullet asks for no rows where there are none
   given_.setZero();
+  body_ = fromBullet(m_rbA.getWorldTransform().getBasis());
   if (carries_) {
-    body_ = fromBullet(m_rbA.getWorldTransform().getBasis());
     carriedBefore_ = momentumOfCarried();
     if (!held_) findRows(total());
   }

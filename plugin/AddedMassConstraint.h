@@ -88,7 +88,10 @@ class AddedMassConstraint : public btTypedConstraint {
   ///        what came with the body's velocity. What is new beyond it came at rest, relative to V.
   void carry(const Mat6& mass, const Mat6& kept) noexcept;
   /// L is this, and was it at v⁻ in these body axes.
-  void setCarried(const Mat6& mass, const Mat3& pastBody) noexcept;
+  /// @param carries  what carries() was then: with an L of 0 rows are summed in another order.
+  void setCarried(const Mat6& mass, const Mat3& pastBody, bool carries) noexcept;
+  /// L was not 0 at some time.
+  bool carries() const noexcept { return carries_; }
   /// Body axes in the world's at v⁻.
   const Mat3& pastBody() const noexcept { return pastBody_; }
   /// What the last tick's L took of the solver's impulse: R L Rᵀ(v⁺ − V) less what it had before,

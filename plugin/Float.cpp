@@ -262,13 +262,14 @@ void Float::keepAwake(bool waves) noexcept {
 }
 
 std::uint32_t Float::begin(bool waves, const Vec3& water, const Mat3& gradient,
-                           btScalar step) noexcept {
+                           const Vec3& convective, btScalar step) noexcept {
   AddedMassConstraint& added = *rig_->added;
   waterVelocity_ = water_->immersion() > 0.0 ? water : Vec3(Vec3::Zero());
   const FloatBody::Velocity velocity{frame_.lengthToEarth(added.linearVelocity()),
                                      frame_.directionToEarth(added.angularVelocity())};
   const double mass = frame_.kilogramsPerUnit / static_cast<double>(inverseMass_);
-  FloatBody::Tick tick = water_->tick(velocity, mass, {water, gradient}, static_cast<double>(step));
+  FloatBody::Tick tick =
+      water_->tick(velocity, mass, {water, gradient, convective}, static_cast<double>(step));
   std::uint32_t faults = kStepOk;
   if (!tick.impulse.allFinite() || !tick.inertia.allFinite()) {
     tick = {};

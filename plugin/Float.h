@@ -122,7 +122,8 @@ class Float {
   // A tick, in this order, by FloatFleet.
   std::uint32_t look() noexcept;
   bool wakesIn(bool waves, btScalar step) noexcept;
-  std::uint32_t begin(bool waves, const Vec3& water, const Mat3& gradient, btScalar step) noexcept;
+  std::uint32_t begin(bool waves, const Vec3& water, const Mat3& gradient, const Vec3& convective,
+                      btScalar step) noexcept;
   std::uint32_t end() noexcept;
 
   bool findBody() noexcept;

@@ -63,6 +63,13 @@ void FloatFleet::checkSea(const SeaState& sea) const {
   if (!floats_.empty()) requireGravity(world_, frame_, sea);
 }
 
+// By the world's list: a body may be gone.
+void FloatFleet::wake() noexcept {
+  for (const auto& one : floats_) {
+    if (one->findBody() && one->now_ == Float::Now::Asleep) one->body_->activate();
+  }
+}
+
 void FloatFleet::enterSea(std::unique_ptr<FloatSea>& sea) noexcept { sea_.swap(sea); }
 
 // All that a tick needs.
@@ -179,7 +186,8 @@ std::uint32_t FloatFleet::beginTick(double time, btScalar step) noexcept {
     sea_->water.motion(time, {places_.data(), count}, {motions_.data(), count});
   for (std::size_t i = 0; i < count; ++i) motions_[i].velocity.z() += rate_;
   for (std::size_t i = 0; i < count; ++i)
-    faults |= wet_[i]->begin(waves, motions_[i].velocity, motions_[i].gradient, step);
+    faults |= wet_[i]->begin(waves, motions_[i].velocity, motions_[i].gradient,
+                             motions_[i].convective, step);
   return faults;
 }
 

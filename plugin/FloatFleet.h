@@ -43,6 +43,9 @@ class FloatFleet {
     rate_ = rate;
   }
 
+  /// Floats that sleep wake up: the water has gone elsewhere.
+  void wake() noexcept;
+
   /// StepFault bits of all.
   std::uint32_t beginTick(double time, btScalar step) noexcept;
   std::uint32_t endTick() noexcept;

@@ -103,6 +103,7 @@ void SeaChange::work() {
         failed = std::current_exception();
       }
     }
+    order = {};  // it may be the last to hold tables
     lock.lock();
     if (!ordered) continue;
     made_ = std::move(made);

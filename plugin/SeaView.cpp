@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plugin/Seaway.h"
-
 CUTWATER_PLUGIN_BEGIN
 
 namespace {
@@ -28,8 +26,6 @@ void SeaWatch::setLevel(double level) noexcept {
   const std::lock_guard lock(mutex_);
   frame_.seaLevel = level;
 }
-
-SeaView Seaway::view() const { return SeaView(watch_); }
 
 SeaView::SeaView(std::shared_ptr<const SeaWatch> watch)
     : watch_(std::move(watch)),

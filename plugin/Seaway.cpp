@@ -165,8 +165,8 @@ Ship& Seaway::add(std::shared_ptr<const Hydrodynamics> hydrodynamics, const Ship
   if (own != nullptr && floatOf(*own) != nullptr)
     throw HydroError(Fault::BadArgument, "Seaway::addShip: the body is a float of this sea");
   checkGravity(world_.getGravity(), frame_, hydrodynamics->ship().gravity);
+  settleSea();
   checkSea(*sea_, hydrodynamics->ship().gravity, "Seaway::addShip");
-  waitForSea();
   ships_.reserve(ships_.size() + 1);
   shipFaults_.resize(ships_.size() + 1);
   const std::shared_ptr<const Hydrodynamics> kind = hydrodynamics;
@@ -231,7 +231,7 @@ void Seaway::removeShip(Ship& ship) {
            ") still holds the body that is about to go; removeConstraint() it first");
   }
   if (lives) ship.worldLives();
-  waitForSea();
+  settleSea();
   const auto place = std::find_if(ships_.begin(), ships_.end(), isIt);
   if (coming_) coming_->shipsInNext.erase(coming_->shipsInNext.begin() + (place - ships_.begin()));
   ships_.erase(place);
@@ -241,6 +241,7 @@ void Seaway::removeShip(Ship& ship) {
 Float& Seaway::addFloat(btRigidBody& body, const FloatSettings& settings) {
   if (shipOf(body) != nullptr)
     throw HydroError(Fault::BadArgument, "Seaway::addFloat: the body is a ship of this sea");
+  settleSea();
   return floats_->add(body, settings);
 }
 
@@ -259,7 +260,7 @@ btVector3 Seaway::waterAt(const btVector3& place) const noexcept {
 }
 
 void Seaway::setSea(SeaState next, double fadeSeconds) {
-  waitForSea();
+  settleSea();
   SeaChange::Order order;
   order.next = std::make_shared<const SeaState>(std::move(next));
   order.both = std::make_shared<const SeaState>(sea_->goingOver(*order.next, time_, fadeSeconds));
@@ -281,6 +282,8 @@ void Seaway::setSea(SeaState next, double fadeSeconds) {
   change_->make(std::move(order));
 }
 
+SeaView Seaway::view() const { return SeaView(watch_); }
+
 bool Seaway::seaIsChanging() const noexcept {
   return coming_ != nullptr || (change_ && change_->busy());
 }
@@ -289,6 +292,15 @@ void Seaway::waitForSea() {
   if (!change_ || !change_->busy()) return;
   change_->wait();
   enterComing();
+}
+
+// What is being made is waited for, as who asks for something else did not ask for it.
+void Seaway::settleSea() noexcept {
+  try {
+    waitForSea();
+  } catch (...) {
+    raise(kSeaNotChanged);
+  }
 }
 
 // Between two ticks, if it is ready. Throws what was thrown in making it.

@@ -218,6 +218,7 @@ class Seaway final {
   void restoreCalmLevel(const Snapshot& snapshot) noexcept;
   bool worldLives() const noexcept;
   void followSea() noexcept;
+  void settleSea() noexcept;
   void enterComing();
   void enterNext() noexcept;
   void setShared(const std::shared_ptr<const SeaState>& sea) noexcept;

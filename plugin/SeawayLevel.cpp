@@ -32,6 +32,7 @@ void Seaway::setCalmLevel(double height, double rate) {
   calm_.level = height;
   calm_.now = 0.0;
   placeWater();
+  floats_->wake();
 }
 
 // The rate of this tick: the last one only as fast as it takes to arrive.

@@ -308,6 +308,7 @@ class Ship {
     std::array<btVector3, 2> past;        // v⁻
     std::array<Mat3, 2> pastAxes;         // of A∞ at v⁻
     Mat3 pastBody = Mat3::Identity();     // axes of the body at v⁻
+    bool carries = false;                 // AddedMassConstraint::carries
     Vec6 before;
     double lastStep = 0.0, stepBefore = 0.0;
     bool courseBegins = false, anew = false;

@@ -115,9 +115,8 @@ double Ship::carriedEnergy() const noexcept {
   const MassMoments& carried = carried_->carried();
   const Mat3 toBody = input_.attitude.transpose();
   const Vec6 own = rotated(toBody, toBody, 0.5 * (velocityAfter_ + velocityBefore_));
-  const double height =
-      carried.mass * input_.position.z() +
-      (input_.attitude * (carried.first - carried.mass * coefficients().ship.cog)).z();
+  const double height = carried.mass * (input_.position.z() - coefficients().ship.cog.z()) +
+                        (input_.attitude * carried.first).z();
   return 0.5 * own.dot(carried.matrix() * own) + coefficients().ship.gravity * height;
 }
 

@@ -263,6 +263,7 @@ void Ship::save(Snapshot& s) const {
                   body_->getInterpolationAngularVelocity()};
   s.past = {addedMass().linearVelocity(), addedMass().angularVelocity()};
   s.pastBody = added().pastBody();
+  s.carries = added().carries();
   s.pastAxes = {addedMass().pastAxes().linear, addedMass().pastAxes().angular};
   s.before = velocityBefore_;
   s.lastStep = lastStep_;
@@ -374,7 +375,7 @@ void Ship::restore(const Snapshot& s) {
   body_->setInterpolationAngularVelocity(s.velocities[3]);
   body_->forceActivationState(s.activation);
   added().setPast(s.past[0], s.past[1], {s.pastAxes[0], s.pastAxes[1]});
-  if (carried_ != nullptr) added().setCarried(frame_.mass(carriedMatrix()), s.pastBody);
+  if (carried_ != nullptr) added().setCarried(frame_.mass(carriedMatrix()), s.pastBody, s.carries);
   velocityAfter_ = velocityInEarth(s.past[0], s.past[1]);
   velocityBefore_ = s.before;
   lastStep_ = s.lastStep;
@@ -386,9 +387,6 @@ void Ship::restore(const Snapshot& s) {
   begun_ = false;
   record_ = s.record;
   remember();
-  if (carried_ != nullptr) {
-    for (const auto& room : carried_->compartments()) room->settle({position(), bodyAxes()});
-  }
   known_.pose = s.known;
   if (btMotionState* drawn = body_->getMotionState()) drawn->setWorldTransform(s.interpolated);
 }

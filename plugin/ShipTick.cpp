@@ -246,6 +246,11 @@ std::uint32_t Ship::beginTick(double time, btScalar step) noexcept {
 void Ship::readyToWake(btScalar step) noexcept {
   added().setEnabled(true);
   turnAddedMass(ownAxesNow());
+  added().setMean(frame_.length(meanInEarth()));
+  if (carries()) {
+    const Mat6 carried = frame_.mass(carried_->moments().matrix());
+    added().carry(carried, carried);
+  }
   added().forgetPast();
   added().beginTick(step);
 }

@@ -39,6 +39,7 @@ void visitFields(Visitor& v, Snapshot& s) {
   v.field("past", s.past);
   v.field("pastAxes", s.pastAxes);
   v.field("pastBody", s.pastBody);
+  v.field("carries", s.carries);
   v.field("before", s.before);
   v.field("lastStep", s.lastStep);
   v.field("stepBefore", s.stepBefore);

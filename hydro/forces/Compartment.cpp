@@ -53,8 +53,8 @@ Compartment::Compartment(const CompartmentBox& box, const Vec3& cog, double wate
       seaWater_(density_ == waterDensity) {
   openings_.reserve(kOpeningsAtHand);
   setVolume(box.volume);
-  lost_ = 0.0;
   settle({});
+  lost_ = 0.0;
 }
 
 void Compartment::setVolume(double volume) {
@@ -63,8 +63,9 @@ void Compartment::setVolume(double volume) {
     rule << "must be in 0.." << capacity_ << " m3, what it holds";
     refuseCompartment(box_.name, "volume", volume, rule.str());
   }
-  add(volume - volume_);
+  // What was put in since the last tick and is taken out again has no momentum to lose.
   volume_ = volume;
+  lost_ = density_ * std::max(0.0, felt_ - volume_);
 }
 
 void Compartment::setRate(double rate) {
@@ -98,6 +99,7 @@ void Compartment::settle(const Place& ship) noexcept {
   const Vec3 level = ship.attitude.row(2), up = box_.freeSurface ? level : Vec3(Vec3::UnitZ());
   water_ = fillBox(box_.size, volume_ / box_.permeability, up);
   level_ = ship.position.z() + level.dot(fromG_ + water_.height * up);
+  felt_ = volume_;
 }
 
 // Out counts as lost, in as new.
@@ -149,6 +151,10 @@ void Compartment::save(double* state) const noexcept {
   *state++ = volume_;
   *state++ = rate_;
   *state++ = lost_;
+  *state++ = felt_;
+  *state++ = inflow_;
+  *state++ = level_;
+  for (int i = 0; i < 3; ++i) *state++ = water_.centre[i];
   *state++ = static_cast<double>(openings_.size());
   for (const Opening& opening : openings_) {
     for (int i = 0; i < 3; ++i) *state++ = opening.place[i];
@@ -159,17 +165,24 @@ void Compartment::save(double* state) const noexcept {
 
 std::size_t Compartment::fits(const double* state, std::size_t size) const noexcept {
   if (size < kOwnState) return 0;
-  const double count = state[3];
+  const double count = state[kOwnState - 1];
   const bool good = state[0] >= 0.0 && state[0] <= capacity_ && count >= 0.0 &&
                     count == std::floor(count) &&
                     count <= static_cast<double>((size - kOwnState) / kOpeningState);
-  return good ? kOwnState + kOpeningState * static_cast<std::size_t>(count) : 0;
+  if (!good) return 0;
+  const std::size_t taken = kOwnState + kOpeningState * static_cast<std::size_t>(count);
+  const bool finite = std::all_of(state, state + taken, [](double x) { return std::isfinite(x); });
+  return finite ? taken : 0;
 }
 
 void Compartment::restore(const double* state) {
   volume_ = *state++;
   rate_ = *state++;
   lost_ = *state++;
+  felt_ = *state++;
+  inflow_ = *state++;
+  level_ = *state++;
+  for (int i = 0; i < 3; ++i) water_.centre[i] = *state++;
   openings_.resize(static_cast<std::size_t>(*state++));
   for (Opening& opening : openings_) {
     for (int i = 0; i < 3; ++i) opening.place[i] = *state++;

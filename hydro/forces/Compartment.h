@@ -101,7 +101,7 @@ class Compartment {
   void restore(const double* state);
 
  private:
-  static constexpr std::size_t kOwnState = 4, kOpeningState = 5;
+  static constexpr std::size_t kOwnState = 10, kOpeningState = 5;
   double levelOf(const Place& ship, double volume) const noexcept;
   double through(const Opening& opening, const Place& ship, double sea, double step,
                  double gravity) const noexcept;
@@ -112,6 +112,7 @@ class Compartment {
   double capacity_, density_, volume_;
   bool seaWater_;
   double rate_ = 0.0, inflow_ = 0.0, lost_ = 0.0;
+  double felt_ = 0.0;  // volume that the last tick weighed, or what flowed since left of it
   double level_ = 0.0;
   BoxFill water_;
   std::vector<Opening> openings_;

@@ -46,13 +46,28 @@ double SeaMoments::zeroCrossingPeriod() const {
 
 double SeaMoments::meanPeriod() const { return m1 > 0.0 ? 2.0 * kPi * m0 / m1 : 0.0; }
 
+namespace {
+
+void addWave(double omega, double amplitude, SeaMoments& sum) {
+  const double variance = 0.5 * amplitude * amplitude;
+  sum.m0 += variance;
+  sum.m1 += omega * variance;
+  sum.m2 += omega * omega * variance;
+}
+
+}  // namespace
+
 SeaMoments momentsOf(const SeaState& sea) {
   SeaMoments sum;
-  for (const WaveComponent& wave : sea.components()) {
-    const double variance = 0.5 * wave.amplitude * wave.amplitude;
-    sum.m0 += variance;
-    sum.m1 += wave.omega * variance;
-    sum.m2 += wave.omega * wave.omega * variance;
+  for (const WaveComponent& wave : sea.components()) addWave(wave.omega, wave.amplitude, sum);
+  return sum;
+}
+
+SeaMoments momentsOf(const SeaState& sea, double t) {
+  SeaMoments sum;
+  for (std::size_t i = 0; i < sea.components().size(); ++i) {
+    const WaveComponent& wave = sea.components()[i];
+    addWave(wave.omega, sea.growth(i, t) * wave.amplitude, sum);
   }
   return sum;
 }

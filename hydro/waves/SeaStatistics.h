@@ -14,7 +14,10 @@ struct SeaMoments {
   double zeroCrossingPeriod() const;  ///< Tz = 2π √(m0/m2) [s]; 0 in calm water
   double meanPeriod() const;          ///< Tm01 = 2π m0/m1 [s]; 0 in calm water
 };
+/// Of all components at their full height; of a sea that goes over, of both of its seas.
 SeaMoments momentsOf(const SeaState& sea);
+/// As it has grown at time t [s] (SeaState::growth).
+SeaMoments momentsOf(const SeaState& sea, double t);
 
 /// When a sea comes again.
 struct RepeatTime {

@@ -217,6 +217,16 @@ TEST(FloatGuard, BodiesSleepWhenTheyLieStillAndWakeInWaves) {
   EXPECT_EQ(rough.bodies[0]->getActivationState(), ACTIVE_TAG);
 }
 
+TEST(FloatGuard, SleepersWakeWhereTheWaterHasGone) {
+  Crates calm(1, SeaState());
+  calm.run(200.0);
+  EXPECT_EQ(calm.bodies[0]->getActivationState(), ISLAND_SLEEPING);
+  calm.seaway.setCalmLevel(-5.0, HUGE_VAL);
+  calm.run(20.0);
+  EXPECT_LT(calm.place(*calm.bodies[0]).z(), 1.0);
+  EXPECT_LT(fromBullet(calm.bodies[0]->getWorldTransform().getOrigin()).z(), -4.0);
+}
+
 // A character's capsule turns about no axis.
 TEST(FloatGuard, ABodyWithoutInertiaFloatsUpright) {
   FloatScene scene(someWaves());

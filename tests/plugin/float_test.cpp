@@ -287,6 +287,29 @@ TEST(FloatVerification, ABodyAsHeavyAsWaterFollowsItsOrbit) {
                std::to_string(orbit), 0.5 * (high.z() - low.z()), "4 %");
 }
 
+// As heavy as water, 8 m down in steep waves: Bernoulli's pressure has the convective part of the
+// acceleration already. It stays at its depth, but for its first second. (Twice that part, a²ω²k
+// e^{2kz} upwards, would bring it to the surface within a minute.)
+TEST(FloatVerification, ABodyAsHeavyAsWaterStaysDownInSteepWaves) {
+  for (const int order : {1, 2, 5}) {
+    FloatScene scene(SeaState::steep({.omega = 1.0, .amplitude = 2.0}, kG, order, 20.0));
+    btSphereShape ball(btScalar(0.5));
+    Float& one = scene.seaway.addFloat(scene.body(ball, 1.0, {0.0, 0.0, -8.0}));
+    const double mass = kRho * one.volume();
+    btVector3 inertia;
+    ball.calculateLocalInertia(static_cast<btScalar>(mass), inertia);
+    one.body().setMassProps(static_cast<btScalar>(mass), inertia);
+    one.body().setGravity(scene.world.world.getGravity());
+    double low = 0.0, high = -HUGE_VAL;
+    scene.run(60.0, 1.0 / 64, [&] {
+      low = std::min(low, scene.place(one.body()).z());
+      high = std::max(high, scene.place(one.body()).z());
+    });
+    EXPECT_GT(low, -10.5) << order;  // its orbit there is 0.9 m
+    EXPECT_LT(high, -6.0) << order;
+  }
+}
+
 // What floats drifts with the waves, at Stokes' a²ωk: none of its own.
 TEST(FloatVerification, ASmallCrateDriftsAsStokesSays) {
   const double omega = 1.0, a = 0.5, stokes = a * a * omega * omega * omega / kG;

@@ -456,6 +456,69 @@ TEST(LoadingClosedForm, MomentumGoesWithTheMass) {
   EXPECT_NEAR(ahead(1), 5.0 * p.mass, std::max(digits, 1e-8) * 5.0 * p.mass);
 }
 
+std::vector<std::string> allOfTheWater() {
+  return {"wetted_pressure", "restoring",     "froude_krylov", "diffraction", "radiation",
+          "added_mass",      "supplementary", "autopilots",    "hull_lift",   "resistance"};
+}
+
+// The first weight of all, put on board gently after the ship has turned by 86 degrees: as a ship
+// that had one of a gram from the start. Nothing changes but for what a tick of 1/64 s turns.
+TEST(LoadingIdentity, TheFirstWeightIsPutDownWhereTheShipHasTurnedTo) {
+  TestWorld world(0.0);
+  Seaway seaway(world.world);
+  Ship& ship = seaway.addShip(undamped(), without(allOfTheWater()));
+  ship.resetVelocity(Vec3(5.0, 0.0, 0.0), Vec3(0.0, 0.0, 0.3));
+  for (int i = 0; i < 320; ++i) world.world.stepSimulation(kTick, 1, kTick);
+  ship.setWeights({{.name = "crate", .mass = 50e3, .place = Vec3(8.0, 0.0, 0.0)}});
+  for (int i = 0; i < 2; ++i) world.world.stepSimulation(kTick, 1, kTick);
+  const Vec6 after = ship.velocity();
+  EXPECT_NEAR(after[Yaw], 0.3, 0.002);
+  EXPECT_NEAR(after.head<2>().norm(), 5.0, 0.02);
+}
+
+// What is put in and taken out again between two ticks has not been on board.
+TEST(LoadingIdentity, VolumesThatNoTickHasFeltHaveNoMomentum) {
+  const ShipParticulars& p = undamped()->ship();
+  TestWorld world(0.0);
+  Seaway seaway(world.world);
+  Ship& ship = seaway.addShip(undamped(), without(allOfTheWater()));
+  const auto tick = [&] { world.world.stepSimulation(kTick, 1, kTick); };
+  ship.setWeights({{.name = "crate", .mass = 1e3, .place = p.cog}});
+  ship.resetVelocity(Vec3(5.0, 0.0, 0.0), Vec3::Zero());
+  tick();
+  Compartment& hold = ship.addCompartment(
+      {.name = "hold", .centre = p.cog, .size = {4.0, 4.0, 3.0}, .volume = 30.0});
+  hold.setVolume(0.0);
+  tick();
+  EXPECT_NEAR(ship.velocity()[Surge], 5.0, 1e4 * kEpsilon);
+  hold.setVolume(20.0);
+  tick();
+  const double held = ship.velocity()[Surge];
+  hold.setVolume(40.0);
+  hold.setVolume(20.0);
+  tick();
+  EXPECT_NEAR(ship.velocity()[Surge], held, 1e4 * kEpsilon);
+}
+
+// Rolling with cargo and no damping: energy swings by what a tick of 1/64 s is off, as without.
+TEST(LoadingIdentity, EnergyOfARollingShipWithCargoStays) {
+  Shore shore(undamped(), {.start = {.offset = one(Roll, 0.3)}});
+  const ShipParticulars& p = undamped()->ship();
+  const auto tick = [&] { shore.world.world.stepSimulation(kStep, 1, kStep); };
+  shore.ship.setWeights({{.name = "cargo", .mass = 20e3, .place = p.cog + Vec3(0, 0, 0.5)}});
+  for (int i = 0; i < 120; ++i) tick();
+  double low = HUGE_VAL, high = -HUGE_VAL, swing = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    tick();
+    low = std::min(low, shore.ship.energy());
+    high = std::max(high, shore.ship.energy());
+    swing = std::max(swing, std::abs(shore.ship.attitude().x()));
+  }
+  // m g z (1 − cos φ) of the cargo, with z of G instead of its own, would be 800 J.
+  EXPECT_GT(swing, 0.1);
+  EXPECT_LT(high - low, 300.0);
+}
+
 // A sailing, rolling ship with weights and open compartments goes on with the same bits, also after
 // a change of what it carries, and from bytes.
 TEST(LoadingIdentity, ASnapshotGoesOnWithTheSameBits) {

@@ -6,6 +6,7 @@
 
 #include "hydro/Errors.h"
 #include "hydro/waves/SeaState.h"
+#include "hydro/waves/SeaStatistics.h"
 #include "hydro/waves/Spectrum.h"
 #include "hydro/waves/WaterPressure.h"
 
@@ -62,6 +63,14 @@ TEST(GoingOverIdentity, PhasorsAndPressuresGrowAsTheSurfaceDoes) {
     water.at(t, 0.0, 0.0, {x, y, z}, 10.0, {zeta, head, surface});
     EXPECT_NEAR(zeta[0], exact, 2e-6 * 20.0);  // WaterPressure's bound, of Σ a below 20 m
   }
+}
+
+// Variances of seas that know nothing of one another add.
+TEST(GoingOverClosedForm, HeightsGoOverByTheirSquares) {
+  const SeaState both = seaOf(2.0, 1).goingOver(seaOf(8.0, 2), 100.0, 60.0);
+  EXPECT_NEAR(momentsOf(both, 100.0).significantHeight(), 2.0, kRounding);
+  EXPECT_NEAR(momentsOf(both, 130.0).significantHeight(), std::sqrt(0.5 * (4.0 + 64.0)), kRounding);
+  EXPECT_NEAR(momentsOf(both, 160.0).significantHeight(), 8.0, kRounding);
 }
 
 TEST(GoingOverIdentity, AThirdSeaComesWhileTheSecondDoes) {

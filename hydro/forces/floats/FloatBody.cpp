@@ -226,8 +226,8 @@ FloatBody::Tick FloatBody::tick(const Velocity& velocity, double mass,
   forces.load = state_.load;
   // ρV of the convective part of Du/Dt, which linear pressure does not have: without it a body as
   // heavy as water would sink in waves, by a²ω²k e^{2kz}.
-  forces.load += wrenchAt(properties_.density * state_.volume * (flow.gradient * flow.velocity),
-                          state_.centre);
+  forces.load +=
+      wrenchAt(properties_.density * state_.volume * (toBody * water.convective), state_.centre);
   addFaces(own, flow, forces);
   addRadiation(own, flow, mass, forces);
 

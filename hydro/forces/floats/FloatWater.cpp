@@ -60,6 +60,10 @@ void FloatWater::motion(double time, std::span<const Place> places,
     waves_[i].amplitude = sea_.growth(i, time) * c.amplitude;
     waves_[i].speed = waves_[i].amplitude * c.omega;
   }
+  if (sea_.stokes()) {
+    motionOfSteep(time, places, water);
+    return;
+  }
   for (std::size_t first = 0; first < places.size(); first += 4) {
     Block block;
     for (std::size_t lane = 0; lane < 4; ++lane) {
@@ -75,7 +79,28 @@ void FloatWater::motion(double time, std::span<const Place> places,
       Motion& one = water[first + lane];
       one.velocity = Vec3(at(0), at(1), at(2));
       one.gradient << at(3), at(4), at(6), at(4), at(5), at(7), at(6), at(7), -at(3) - at(5);
+      one.convective = one.gradient * one.velocity;
     }
+  }
+}
+
+// That of its series, of which ∂/∂s along the wave is −∂/∂t over its speed.
+void FloatWater::motionOfSteep(double time, std::span<const Place> places,
+                               std::span<Motion> water) const noexcept {
+  const StokesWave::Series series = sea_.stokes()->series(sea_.growth(0, time));
+  const Wave& wave = waves_.front();
+  const Vec3 along(wave.alongX, wave.alongY, 0.0), up = Vec3::UnitZ();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Vec3& at = places[i].at;
+    const double theta = wave.phase - wave.kx * at.x() - wave.ky * at.y();
+    const double z = std::min(at.z(), series.elevationAt(theta));
+    const auto velocity = series.velocityAt(theta, z), rate = series.velocityRateAt(theta, z);
+    const double c = series.phaseSpeed * std::max(1.0, wave.k * places[i].reach);
+    const double us = -rate[0] / c, ws = -rate[1] / c;
+    water[i].velocity = velocity[0] * along + velocity[1] * up;
+    water[i].gradient = us * (along * along.transpose() - up * up.transpose()) +
+                        ws * (along * up.transpose() + up * along.transpose());
+    water[i].convective.setZero();
   }
 }
 

@@ -25,6 +25,9 @@ class FloatWater {
   struct Motion {
     Vec3 velocity = Vec3::Zero();  ///< in E [m/s]
     Mat3 gradient = Mat3::Zero();  ///< in E [1/s]
+    /// (v·∇)v in E [m/s²], which the pressure of linear waves lacks; 0 of a steep wave, whose
+    /// pressure has it.
+    Vec3 convective = Vec3::Zero();
   };
   /// @pre Both have one length.  O(places × components).
   void motion(double time, std::span<const Place> places, std::span<Motion> water) noexcept;
@@ -42,6 +45,8 @@ class FloatWater {
     double x[4], y[4], z[4], reach[4];
     double sums[8][4];  // u, v, w, u_x, u_y, v_y, u_z, v_z
   };
+  void motionOfSteep(double time, std::span<const Place> places,
+                     std::span<Motion> water) const noexcept;
   static void sum(std::span<const Wave> waves, WaveProfile profile, Four* phasors,
                   Block& block) noexcept;
 

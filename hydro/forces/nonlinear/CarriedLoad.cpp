@@ -134,7 +134,7 @@ Compartment& CarriedLoad::addCompartment(const CompartmentBox& box) {
   armBefore_.reserve(compartments_.size() + 1);
   compartments_.push_back(std::move(compartment));
   Compartment& added = *compartments_.back();
-  heldBefore_.push_back(0.0);
+  heldBefore_.push_back(added.mass());
   armBefore_.push_back(added.arm());
   pending_.add(MassMoments::of(added.mass(), added.arm()));
   return added;
@@ -209,7 +209,8 @@ void CarriedLoad::save(std::span<double> state) const noexcept {
 }
 
 bool CarriedLoad::fits(std::span<const double> state) const noexcept {
-  if (state.size() < kOwnState) return false;
+  const auto finite = [](double x) { return std::isfinite(x); };
+  if (state.size() < kOwnState || !std::all_of(state.begin(), state.end(), finite)) return false;
   const double count = state[1];
   std::size_t left = state.size() - kOwnState;
   if (!(count >= 0.0 && count == std::floor(count) &&
