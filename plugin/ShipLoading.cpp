@@ -27,7 +27,8 @@ CarriedLoad& Ship::carriedLoad() {
   if (carried_ != nullptr) return *carried_;
   auto load = std::make_unique<CarriedLoad>(coefficients().ship);
   CarriedLoad& made = *load;
-  addPart({.name = std::string(load->name()), .force = std::move(load)});
+  const std::string name(made.name());
+  addPart({.name = name, .force = std::move(load)});
   carried_ = &made;
   return made;
 }

@@ -166,9 +166,9 @@ void Compartment::save(double* state) const noexcept {
 std::size_t Compartment::fits(const double* state, std::size_t size) const noexcept {
   if (size < kOwnState) return 0;
   const double count = state[kOwnState - 1];
+  const std::size_t room = (size - kOwnState) / kOpeningState;
   const bool good = state[0] >= 0.0 && state[0] <= capacity_ && count >= 0.0 &&
-                    count == std::floor(count) &&
-                    count <= static_cast<double>((size - kOwnState) / kOpeningState);
+                    count == std::floor(count) && count <= static_cast<double>(room);
   if (!good) return 0;
   const std::size_t taken = kOwnState + kOpeningState * static_cast<std::size_t>(count);
   const bool finite = std::all_of(state, state + taken, [](double x) { return std::isfinite(x); });

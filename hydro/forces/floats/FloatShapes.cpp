@@ -215,7 +215,8 @@ double overlapOf(std::span<const SurfaceMesh> convex) {
     const Vec3 cell = (box.high - box.low) / kLattice;
     int inside = 0, twice = 0;
     for (int n = 0; n < kLattice * kLattice * kLattice; ++n) {
-      const Vec3 part(n % kLattice, n / kLattice % kLattice, n / kLattice / kLattice);
+      const int row = n / kLattice, layer = row / kLattice;
+      const Vec3 part(n % kLattice, row % kLattice, layer);
       const Vec3 point = box.low + (part + Vec3::Constant(0.5)).cwiseProduct(cell);
       if (!encloses(convex[i], point)) continue;
       ++inside;

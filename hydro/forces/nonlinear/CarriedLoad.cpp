@@ -213,8 +213,8 @@ bool CarriedLoad::fits(std::span<const double> state) const noexcept {
   if (state.size() < kOwnState || !std::all_of(state.begin(), state.end(), finite)) return false;
   const double count = state[1];
   std::size_t left = state.size() - kOwnState;
-  if (!(count >= 0.0 && count == std::floor(count) &&
-        count <= static_cast<double>(left / kWeightState)))
+  const std::size_t room = left / kWeightState;
+  if (!(count >= 0.0 && count == std::floor(count) && count <= static_cast<double>(room)))
     return false;
   left -= kWeightState * static_cast<std::size_t>(count);
   for (const auto& compartment : compartments_) {
