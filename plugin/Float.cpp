@@ -9,6 +9,7 @@
 #include "hydro/forces/floats/FloatBody.h"
 #include "plugin/FloatRig.h"
 #include "plugin/FloatShape.h"
+#include "plugin/ShipBody.h"
 
 CUTWATER_PLUGIN_BEGIN
 
@@ -311,9 +312,7 @@ void Float::save(Snapshot& s) const noexcept {
   if (!listed_) return;
   s.transform = body_->getWorldTransform();
   s.interpolated = body_->getInterpolationWorldTransform();
-  s.velocities = {body_->getLinearVelocity(), body_->getAngularVelocity(),
-                  body_->getInterpolationLinearVelocity(),
-                  body_->getInterpolationAngularVelocity()};
+  s.velocities = velocitiesOf(*body_);
   s.past = {btVector3(0, 0, 0), btVector3(0, 0, 0)};
   if (rig_->added) {
     s.past = {rig_->added->linearVelocity(), rig_->added->angularVelocity()};
@@ -333,13 +332,7 @@ void Float::save(Snapshot& s) const noexcept {
 // A body that was in no world then, or is in none now, stays as it is.
 void Float::restore(const Snapshot& s) noexcept {
   if (!s.inWorld || !listed_) return;
-  body_->setCenterOfMassTransform(s.transform);
-  body_->setInterpolationWorldTransform(s.interpolated);
-  body_->setLinearVelocity(s.velocities[0]);
-  body_->setAngularVelocity(s.velocities[1]);
-  body_->setInterpolationLinearVelocity(s.velocities[2]);
-  body_->setInterpolationAngularVelocity(s.velocities[3]);
-  body_->forceActivationState(s.activation);
+  putBack(*body_, s.transform, s.interpolated, s.velocities, s.activation);
   body_->setDeactivationTime(static_cast<btScalar>(s.stillFor));
   if (rig_->added) rig_->added->setPast(s.past[0], s.past[1], {});
   water_->setPast(

@@ -6,12 +6,11 @@
 
 #include "hydro/Errors.h"
 #include "plugin/FloatRig.h"
+#include "plugin/ShipBody.h"
 
 CUTWATER_PLUGIN_BEGIN
 
 namespace {
-
-constexpr double kSameGravity = 0.05;  // of the sea's, as for ships
 
 [[noreturn]] void refuseFloat(Fault fault, const std::string& what) {
   throw HydroError(fault, "Seaway::addFloat: " + what);
@@ -23,8 +22,8 @@ void requireGravity(const btDiscreteDynamicsWorld& world, const WorldFrame& fram
   const double down = -g.z();
   if (!(down >= 0.0 && std::hypot(g.x(), g.y()) <= 1e-6 * down))
     refuseFloat(Fault::ValueOutOfRange, "the world's gravity must point down, as WorldFrame says");
-  const bool fits = std::abs(down - sea.gravity()) <= kSameGravity * sea.gravity();
-  if (down == 0.0 || sea.components().empty() || fits) return;
+  if (down == 0.0 || sea.components().empty()) return;
+  if (gravityFits(world.getGravity(), frame, sea.gravity())) return;
   refuseFloat(Fault::ValueOutOfRange, "the world's gravity is " + std::to_string(down) +
                                           " m/s2 and that of the sea " +
                                           std::to_string(sea.gravity()) + " m/s2");

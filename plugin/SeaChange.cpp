@@ -11,6 +11,15 @@ constexpr std::size_t kRoomToFree = 8;
 
 }  // namespace
 
+std::shared_ptr<const SeaTables> tablesOf(std::vector<std::shared_ptr<const SeaTables>>& tables,
+                                          std::shared_ptr<const Hydrodynamics> kind,
+                                          const std::shared_ptr<const SeaState>& sea) {
+  for (const auto& known : tables) {
+    if (known->hydrodynamics() == kind) return known;
+  }
+  return tables.emplace_back(std::make_shared<const SeaTables>(std::move(kind), sea));
+}
+
 std::unique_ptr<ComingSea> makeComingSea(const SeaChange::Order& order) {
   auto coming = std::make_unique<ComingSea>();
   coming->both = order.both;

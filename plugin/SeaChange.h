@@ -70,6 +70,12 @@ class SeaChange {
   std::thread thread_;
 };
 
+/// The tables of a kind of ship in a sea, out of those there are, or made now and put to them.
+/// @throws HydroError as SeaTables.
+std::shared_ptr<const SeaTables> tablesOf(std::vector<std::shared_ptr<const SeaTables>>& tables,
+                                          std::shared_ptr<const Hydrodynamics> kind,
+                                          const std::shared_ptr<const SeaState>& sea);
+
 /// What of a sea change the ships get, on this thread.
 /// @throws HydroError as ShipSea.
 std::unique_ptr<ComingSea> makeComingSea(const SeaChange::Order& order);

@@ -28,11 +28,9 @@ void SeaWatch::setLevel(double level) noexcept {
 }
 
 SeaView::SeaView(std::shared_ptr<const SeaWatch> watch)
-    : watch_(std::move(watch)),
-      sea_(watch_->seen().sea),
-      frame_(watch_->seen().frame),
-      time_(watch_->seen().time),
-      motion_(*sea_) {}
+    : watch_(std::move(watch)), motion_(SeaState()) {
+  update();
+}
 
 void SeaView::update() {
   const SeaWatch::Seen seen = watch_->seen();

@@ -33,9 +33,6 @@ btDiscreteDynamicsWorld& checked(btDiscreteDynamicsWorld& world) {
       "two; added mass would be wrong. Use btSequentialImpulseConstraintSolver");
 }
 
-// The same planet, given to three digits or four: wave numbers are g's.
-constexpr double kSeaGravity = 1e-3;
-
 std::string text(const btVector3& v) {
   std::ostringstream line;
   line << '(' << v.x() << ", " << v.y() << ", " << v.z() << ')';
@@ -60,14 +57,6 @@ void checkGravity(const btVector3& gravity, const WorldFrame& frame, double righ
   line << "must be that of the database, " << right << " m/s2, here " << right / frame.metresPerUnit
        << " units/s2 (WorldFrame::metresPerUnit = " << frame.metresPerUnit << ')';
   refuse(line.str());
-}
-
-void checkSea(const SeaState& sea, double right, const char* caller) {
-  if (sea.components().empty() || std::abs(sea.gravity() - right) <= kSeaGravity * right) return;
-  std::ostringstream line;
-  line << caller << ": the sea's gravity " << sea.gravity() << " m/s2 is not that of the database, "
-       << right << " m/s2: give that to SeaState";
-  throw HydroError(Fault::ValueOutOfRange, line.str());
 }
 
 std::string kindOf(const btTypedConstraint& joint) {
@@ -144,14 +133,6 @@ void Seaway::setThreads(unsigned threads) {
   pool_ = threads > 1 ? std::make_unique<ThreadPool>(threads) : nullptr;
 }
 
-std::shared_ptr<const SeaTables> Seaway::tablesOf(
-    std::shared_ptr<const Hydrodynamics> hydrodynamics) {
-  for (const auto& tables : tables_) {
-    if (tables->hydrodynamics() == hydrodynamics) return tables;
-  }
-  return tables_.emplace_back(std::make_shared<const SeaTables>(std::move(hydrodynamics), sea_));
-}
-
 Ship& Seaway::add(std::shared_ptr<const Hydrodynamics> hydrodynamics, const ShipSettings& settings,
                   btRigidBody* own) {
   if (!hydrodynamics) {
@@ -169,20 +150,14 @@ Ship& Seaway::add(std::shared_ptr<const Hydrodynamics> hydrodynamics, const Ship
   checkSea(*sea_, hydrodynamics->ship().gravity, "Seaway::addShip");
   ships_.reserve(ships_.size() + 1);
   shipFaults_.resize(ships_.size() + 1);
-  const std::shared_ptr<const Hydrodynamics> kind = hydrodynamics;
-  auto ship =
-      std::make_unique<Ship>(world_, frame_, tablesOf(std::move(hydrodynamics)), settings, own);
+  auto ship = std::make_unique<Ship>(
+      world_, frame_, tablesOf(tables_, std::move(hydrodynamics), sea_), settings, own);
   ship->setWater(frame_.seaLevel, calm_.now);
   if (preparedFor_ > 0.0) ship->prepare(preparedFor_);
   if (coming_) {
-    auto& known = coming_->tablesInNext;
-    const auto fits = [&](const auto& tables) {
-      return tables->hydrodynamics().get() == &ship->hydrodynamics();
-    };
-    auto found = std::find_if(known.begin(), known.end(), fits);
-    if (found == known.end())
-      found = known.insert(known.end(), std::make_shared<const SeaTables>(kind, coming_->next));
-    coming_->shipsInNext.emplace_back(*found, ship->seaOrder());
+    const auto next =
+        tablesOf(coming_->tablesInNext, ship->tables().hydrodynamics(), coming_->next);
+    coming_->shipsInNext.emplace_back(next, ship->seaOrder());
   }
   return *ships_.emplace_back(std::move(ship));
 }
@@ -257,95 +232,6 @@ btVector3 Seaway::waterAt(const btVector3& place) const noexcept {
   Vec3 at = frame_.placeToEarth(place);
   at.z() = waveHeight(at.x(), at.y());
   return frame_.place(at);
-}
-
-void Seaway::setSea(SeaState next, double fadeSeconds) {
-  settleSea();
-  SeaChange::Order order;
-  order.next = std::make_shared<const SeaState>(std::move(next));
-  order.both = std::make_shared<const SeaState>(sea_->goingOver(*order.next, time_, fadeSeconds));
-  order.seconds = fadeSeconds;
-  for (const auto& ship : ships_) {
-    const auto isKind = [&](const auto& kind) {
-      return kind->hydrodynamics().get() == &ship->hydrodynamics();
-    };
-    const auto known = std::find_if(order.kinds.begin(), order.kinds.end(), isKind);
-    order.kindOf.push_back(static_cast<std::size_t>(known - order.kinds.begin()));
-    if (known == order.kinds.end()) {
-      checkSea(*order.next, ship->hydrodynamics().ship().gravity, "Seaway::setSea");
-      order.kinds.push_back(*std::find_if(tables_.begin(), tables_.end(), isKind));
-    }
-    order.ships.push_back(ship->seaOrder());
-  }
-  floats_->checkSea(*order.next);
-  if (!change_) change_ = std::make_unique<SeaChange>();
-  change_->make(std::move(order));
-}
-
-SeaView Seaway::view() const { return SeaView(watch_); }
-
-bool Seaway::seaIsChanging() const noexcept {
-  return coming_ != nullptr || (change_ && change_->busy());
-}
-
-void Seaway::waitForSea() {
-  if (!change_ || !change_->busy()) return;
-  change_->wait();
-  enterComing();
-}
-
-// What is being made is waited for, as who asks for something else did not ask for it.
-void Seaway::settleSea() noexcept {
-  try {
-    waitForSea();
-  } catch (...) {
-    raise(kSeaNotChanged);
-  }
-}
-
-// Between two ticks, if it is ready. Throws what was thrown in making it.
-void Seaway::enterComing() {
-  if (!change_) return;
-  std::exception_ptr failed;
-  std::unique_ptr<ComingSea> made = change_->take(failed);
-  if (failed) std::rethrow_exception(failed);
-  if (!made) return;
-  made->both->goesOverFrom(time_);
-  made->until = time_ + made->seconds;
-  const SharedWaves shared{0, sea_->components().size(), 0};
-  for (std::size_t i = 0; i < ships_.size(); ++i) ships_[i]->enterSea(made->shipsInBoth[i], shared);
-  floats_->enterSea(made->floatsInBoth);
-  tables_.swap(made->tablesInBoth);
-  setShared(made->both);
-  coming_.swap(made);
-  if (made) change_->free(std::move(made));
-}
-
-void Seaway::enterNext() noexcept {
-  const SharedWaves shared = coming_->ofNext();
-  for (std::size_t i = 0; i < ships_.size(); ++i)
-    ships_[i]->enterSea(coming_->shipsInNext[i], shared);
-  floats_->enterSea(coming_->floatsInNext);
-  tables_.swap(coming_->tablesInNext);
-  setShared(coming_->next);
-  change_->free(std::move(coming_));
-}
-
-void Seaway::setShared(const std::shared_ptr<const SeaState>& sea) noexcept {
-  sea_ = sea;
-  seaKey_ = sea->key();
-  watch_->set(sea, time_);
-}
-
-// A change that is being made holds what goes over now.
-void Seaway::followSea() noexcept {
-  if (!change_) return;
-  try {
-    enterComing();
-  } catch (...) {
-    raise(kSeaNotChanged);
-  }
-  if (coming_ && time_ >= coming_->until && !change_->busy()) enterNext();
 }
 
 Seaway::Snapshot Seaway::save() const {

@@ -209,7 +209,6 @@ class Seaway final {
 
   Ship& add(std::shared_ptr<const Hydrodynamics> hydrodynamics, const ShipSettings& settings,
             btRigidBody* own);
-  std::shared_ptr<const SeaTables> tablesOf(std::shared_ptr<const Hydrodynamics> hydrodynamics);
   void raise(std::uint32_t faults) noexcept;
   void beginCalmLevel(double step) noexcept;
   void endCalmLevel(double step) noexcept;

@@ -56,6 +56,9 @@ void checkModel(const ShipModel& model, const char* function) {
   if (model.keepCourse) checkOrder(*model.keepCourse, function);
 }
 
+// The same planet, given to three digits or four: wave numbers are g's.
+constexpr double kSameGravity = 1e-3;
+
 }  // namespace
 
 void checkStart(const ShipStart& start, const char* function) {
@@ -98,6 +101,14 @@ void checkSettings(const ShipSettings& settings, const char* function) {
                          ": collision.deck is for the shape made of the ship's own mesh; with "
                          "collision.shape leave it out");
   }
+}
+
+void checkSea(const SeaState& sea, double right, const char* function) {
+  if (sea.components().empty() || std::abs(sea.gravity() - right) <= kSameGravity * right) return;
+  std::ostringstream line;
+  line << function << ": the sea's gravity " << sea.gravity()
+       << " m/s2 is not that of the database, " << right << " m/s2: give that to SeaState";
+  throw HydroError(Fault::ValueOutOfRange, line.str());
 }
 
 CUTWATER_PLUGIN_END

@@ -10,6 +10,8 @@ CUTWATER_PLUGIN_BEGIN
 /// @throws HydroError ValueOutOfRange.
 void checkSettings(const ShipSettings& settings, const char* function);
 void checkStart(const ShipStart& start, const char* function);
+/// The sea's gravity is that of a database [m/s²] to three digits; calm water has none.
+void checkSea(const SeaState& sea, double right, const char* function);
 void checkOrder(const SpeedKeeper& order, const char* function);
 void checkOrder(const CourseKeeper& order, const char* function);
 

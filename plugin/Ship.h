@@ -343,6 +343,8 @@ class Ship {
   /// this ship and its body.
   std::uint32_t beginTick(double time, btScalar step) noexcept;
   std::uint32_t endTick(btScalar step) noexcept;
+  /// Of the sea that it is in. Seaway asks.
+  const SeaTables& tables() const noexcept { return *tables_; }
   /// What the ship's part of another sea is made from, and that part's entry between two ticks,
   /// which allocates nothing. Seaway calls them.
   ShipSeaOrder seaOrder() const;

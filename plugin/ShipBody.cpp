@@ -135,4 +135,20 @@ bool gravityFits(const btVector3& gravity, const WorldFrame& frame, double right
   return sideways <= 1e-6 * right && std::abs(-g.z() - right) <= 0.05 * right;
 }
 
+std::array<btVector3, 4> velocitiesOf(const btRigidBody& body) noexcept {
+  return {body.getLinearVelocity(), body.getAngularVelocity(),
+          body.getInterpolationLinearVelocity(), body.getInterpolationAngularVelocity()};
+}
+
+void putBack(btRigidBody& body, const btTransform& pose, const btTransform& interpolated,
+             const std::array<btVector3, 4>& velocities, int activation) noexcept {
+  body.setCenterOfMassTransform(pose);
+  body.setInterpolationWorldTransform(interpolated);
+  body.setLinearVelocity(velocities[0]);
+  body.setAngularVelocity(velocities[1]);
+  body.setInterpolationLinearVelocity(velocities[2]);
+  body.setInterpolationAngularVelocity(velocities[3]);
+  body.forceActivationState(activation);
+}
+
 CUTWATER_PLUGIN_END

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -35,5 +36,11 @@ void requireBodyOf(const ShipParticulars& ship, const WorldFrame& frame, const b
 /// Whether a world's gravity points down and is within 5 % of a database's [m/s²]: Bullet's own
 /// examples take 10 m/s², and a ship's weight is carried.
 bool gravityFits(const btVector3& gravity, const WorldFrame& frame, double right) noexcept;
+
+/// Of a snapshot: linear and angular velocity, and the interpolated ones; and a body put back to
+/// them and its poses.
+std::array<btVector3, 4> velocitiesOf(const btRigidBody& body) noexcept;
+void putBack(btRigidBody& body, const btTransform& pose, const btTransform& interpolated,
+             const std::array<btVector3, 4>& velocities, int activation) noexcept;
 
 CUTWATER_PLUGIN_END

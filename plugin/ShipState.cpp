@@ -15,6 +15,7 @@
 #include "plugin/SettingsCheck.h"
 #include "plugin/Ship.h"
 #include "plugin/ShipAxes.h"
+#include "plugin/ShipBody.h"
 #include "plugin/ShipPart.h"
 
 CUTWATER_PLUGIN_BEGIN
@@ -258,9 +259,7 @@ Ship::Snapshot Ship::save() const {
 void Ship::save(Snapshot& s) const {
   s.transform = body_->getWorldTransform();
   s.interpolated = body_->getInterpolationWorldTransform();
-  s.velocities = {body_->getLinearVelocity(), body_->getAngularVelocity(),
-                  body_->getInterpolationLinearVelocity(),
-                  body_->getInterpolationAngularVelocity()};
+  s.velocities = velocitiesOf(*body_);
   s.past = {addedMass().linearVelocity(), addedMass().angularVelocity()};
   s.pastBody = added().pastBody();
   s.carries = added().carries();
@@ -367,13 +366,7 @@ void Ship::restore(const Snapshot& s) {
   if (free()) predicted_->restore(s.predicted);
   if (nonlinear()) restoreWetted(s);
   restoreParts(s);
-  body_->setCenterOfMassTransform(s.transform);
-  body_->setInterpolationWorldTransform(s.interpolated);
-  body_->setLinearVelocity(s.velocities[0]);
-  body_->setAngularVelocity(s.velocities[1]);
-  body_->setInterpolationLinearVelocity(s.velocities[2]);
-  body_->setInterpolationAngularVelocity(s.velocities[3]);
-  body_->forceActivationState(s.activation);
+  putBack(*body_, s.transform, s.interpolated, s.velocities, s.activation);
   added().setPast(s.past[0], s.past[1], {s.pastAxes[0], s.pastAxes[1]});
   if (carried_ != nullptr) added().setCarried(frame_.mass(carriedMatrix()), s.pastBody, s.carries);
   velocityAfter_ = velocityInEarth(s.past[0], s.past[1]);

@@ -48,6 +48,8 @@ constexpr std::array<Column, 7> kSweep{{{"omega", "rad/s"},
                                         {"freq_amplitude", ""},
                                         {"freq_phase_deg", "deg"}}};
 
+constexpr std::string_view kWaterIn = "_water";  // ends the column of a compartment
+
 [[noreturn]] void refuse(const std::string& csv, const std::string& column,
                          const std::string& wanted) {
   throw HydroError(Fault::FileMalformed, fmt::format("{}: line 1: column {}: {}", csv,
@@ -66,11 +68,9 @@ std::string unitOf(const std::string& column) {
     if (known.name == column) return std::string(known.unit);
   for (const Column& known : kWetted)
     if (known.name == column) return std::string(known.unit);
-  if (column.ends_with("_water")) return "m^3";
+  if (column.ends_with(kWaterIn)) return "m^3";
   return column.back() <= '3' ? "N" : "N m";
 }
-
-constexpr std::string_view kWaterIn = "_water";  // ends the column of a compartment
 
 // Motions, then what of the hull is wet, then the water in compartments, then parts of the load,
 // six columns each.

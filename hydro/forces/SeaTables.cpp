@@ -47,8 +47,8 @@ std::string SeaTables::warning() const {
   if (beyond_.count == 0 || sea_->components().size() == 1) return {};
   return fmt::format(
       "omega_max = {:.6g} rad/s of the database: {} of {} waves are beyond it, {:.3g} % of m0; "
-      "their "
-      "linear wave loads are left out (in nonlinear mode their undisturbed pressure still acts)",
+      "their linear wave loads are left out (in nonlinear mode their undisturbed pressure still "
+      "acts)",
       beyond_.lastOmega, beyond_.count, sea_->components().size(), 100.0 * beyond_.share);
 }
 

@@ -13,12 +13,6 @@ namespace cutwater {
 
 namespace {
 
-void requireSetting(bool good, const char* field, double value) {
-  if (good) return;
-  throw HydroError(Fault::ValueOutOfRange,
-                   "Spectrum: " + std::string(field) + " = " + std::to_string(value));
-}
-
 // Uniform in [0, 1), the same on every standard library.
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11U) * 0x1.0p-53; }
 
@@ -40,13 +34,13 @@ double withinATurn(double heading) {
 
 void checkSettings(const SeaStateSettings& s, double from, double to) {
   // NaN would be taken for "not given".
-  requireSetting(s.omegaMin >= 0.0, "omega_min", s.omegaMin);
-  requireSetting(s.omegaMax >= 0.0, "omega_max", s.omegaMax);
-  requireSetting(s.components >= 1 && s.components <= 1000000, "components", s.components);
-  requireSetting(s.spreading >= 0.0 && s.spreading <= 1000.0, "spreading", s.spreading);
+  requireOfSpectrum(s.omegaMin >= 0.0, "omega_min", s.omegaMin);
+  requireOfSpectrum(s.omegaMax >= 0.0, "omega_max", s.omegaMax);
+  requireOfSpectrum(s.components >= 1 && s.components <= 1000000, "components", s.components);
+  requireOfSpectrum(s.spreading >= 0.0 && s.spreading <= 1000.0, "spreading", s.spreading);
   requireRadians("Spectrum: heading", s.heading, kTurn);
-  requireSetting(from >= 0.0 && std::isfinite(from), "omega_min", from);
-  requireSetting(to > from && std::isfinite(to), "omega_max", to);
+  requireOfSpectrum(from >= 0.0 && std::isfinite(from), "omega_min", from);
+  requireOfSpectrum(to > from && std::isfinite(to), "omega_max", to);
 }
 
 // The frequency below which lies a share of a bin's energy.

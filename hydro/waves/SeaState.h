@@ -98,6 +98,13 @@ class SeaState {
   static constexpr std::size_t kMostLayers = 8;
   /// Growth of component i at time t [s], 0..1: its amplitude there is that times a.
   double growth(std::size_t i, double t) const noexcept;
+  /// Growth of each of the seas that this one is made of, and amplitude a of component i with it:
+  /// for who needs all components at one time.
+  using Growths = std::array<double, kMostLayers>;
+  Growths growths(double t) const noexcept;
+  double amplitude(std::size_t i, const Growths& growths) const noexcept {
+    return growths[layerOf_[i]] * components_[i].amplitude;
+  }
   /// Growth of all at once, where that is one factor, 0..1; 1 of a sea that goes over, whose
   /// phasors have their growth in them.
   double ramp(double t) const noexcept;
@@ -132,9 +139,6 @@ class SeaState {
     std::shared_ptr<const Change> comes, goes;  // null: it always was, it stays
     double growth(double t) const noexcept;
   };
-  using Growths = std::array<double, kMostLayers>;
-
-  Growths growths(double t) const noexcept;
   void fillBlocks();
   double phaseOfSteep(double t, double x, double y) const noexcept;
   static double sumOfWaves(std::span<const Block> blocks, const Growths& growths, double t,

@@ -65,10 +65,9 @@ SeaMoments momentsOf(const SeaState& sea) {
 
 SeaMoments momentsOf(const SeaState& sea, double t) {
   SeaMoments sum;
-  for (std::size_t i = 0; i < sea.components().size(); ++i) {
-    const WaveComponent& wave = sea.components()[i];
-    addWave(wave.omega, sea.growth(i, t) * wave.amplitude, sum);
-  }
+  const SeaState::Growths growths = sea.growths(t);
+  for (std::size_t i = 0; i < sea.components().size(); ++i)
+    addWave(sea.components()[i].omega, sea.amplitude(i, growths), sum);
   return sum;
 }
 

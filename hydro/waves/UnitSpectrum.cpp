@@ -12,12 +12,6 @@ namespace cutwater {
 
 namespace {
 
-void requireOf(bool good, const char* field, double value) {
-  if (good) return;
-  throw HydroError(Fault::ValueOutOfRange,
-                   "Spectrum: " + std::string(field) + " = " + std::to_string(value));
-}
-
 template <class Function>
 double gauss5(double a, double b, const Function& f) {
   constexpr std::array<double, 5> x{-0.9061798459386640, -0.5384693101056831, 0.0,
@@ -66,13 +60,14 @@ constexpr std::array<Member, 11> kFamily{{
 }};
 
 void checkSpectrum(const Spectrum& s) {
-  requireOf(s.hs >= 0.0 && s.hs <= 1e3, "hs", s.hs);
-  requireOf(s.gravity > 0.0 && std::isfinite(s.gravity), "gravity", s.gravity);
+  requireOfSpectrum(s.hs >= 0.0 && s.hs <= 1e3, "hs", s.hs);
+  requireOfSpectrum(s.gravity > 0.0 && std::isfinite(s.gravity), "gravity", s.gravity);
   const bool none = s.shape == SpectrumShape::OchiHubble || s.shape == SpectrumShape::Table;
   const bool follows = s.shape == SpectrumShape::PiersonMoskowitz && s.tp == 0.0;
-  requireOf(none || follows || (s.tp > 0.0 && std::isfinite(s.tp)), "tp", s.tp);
-  requireOf(s.gamma >= 1.0 && s.gamma <= 20.0, "gamma", s.gamma);
-  requireOf(s.member >= 0 && s.member < static_cast<int>(kFamily.size()), "member", s.member);
+  requireOfSpectrum(none || follows || (s.tp > 0.0 && std::isfinite(s.tp)), "tp", s.tp);
+  requireOfSpectrum(s.gamma >= 1.0 && s.gamma <= 20.0, "gamma", s.gamma);
+  requireOfSpectrum(s.member >= 0 && s.member < static_cast<int>(kFamily.size()), "member",
+                    s.member);
 }
 
 [[noreturn]] void refuseTable(std::size_t point, const std::string& what) {
@@ -95,6 +90,12 @@ void checkTable(const SpectrumTable& t) {
 }
 
 }  // namespace
+
+void requireOfSpectrum(bool good, const char* field, double value) {
+  if (good) return;
+  throw HydroError(Fault::ValueOutOfRange,
+                   "Spectrum: " + std::string(field) + " = " + std::to_string(value));
+}
 
 UnitSpectrum::Part::Part(double ofAll, double at, double exponent)
     : share(ofAll), peak(at), lambda(exponent), c((exponent + 0.25) * std::pow(at, 4.0)) {

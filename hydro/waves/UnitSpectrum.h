@@ -49,4 +49,7 @@ class UnitSpectrum {
   double peak_ = 0.0, usualMin_ = 0.0, usualMax_ = 0.0;
 };
 
+/// @throws HydroError ValueOutOfRange naming field and value, unless it is good.
+void requireOfSpectrum(bool good, const char* field, double value);
+
 }  // namespace cutwater

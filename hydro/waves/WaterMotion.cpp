@@ -98,15 +98,18 @@ WaterMotion::WaterMotion(const SeaState& sea, bool wide)
       wide_(wide && wideRegisters()),
       heights_(sea.components().size()),
       risings_(heights_.size()) {
-  constexpr double kPerRadian = 1.0 / (2.0 * kPi);  // turns
-  for (std::size_t i = 0; i < heights_.size(); ++i) {
+  const auto single = [](double value) { return static_cast<float>(value); };
+  waves_.resize(heights_.size());
+  for (std::size_t i = 0; i < waves_.size(); ++i) {
     const WaveComponent& c = sea_.components()[i];
     const double k = sea_.waveNumber(i), along = std::cos(c.heading), across = -std::sin(c.heading);
-    components_.push_back({kPerRadian * c.omega, kPerRadian * c.phase, c.amplitude});
-    const auto single = [](double value) { return static_cast<float>(value); };
-    waves_.push_back({0.0, kPerRadian * k * along, kPerRadian * k * across, 0.0F,
-                      single(k / std::log(2.0)), single(k * along), single(k * across),
-                      single(c.omega * along), single(c.omega * across), single(c.omega)});
+    Wave& wave = waves_[i];
+    wave_sums::setLength(sea_, i, wave);
+    wave.slopeX = single(k * along);
+    wave.slopeY = single(k * across);
+    wave.speedX = single(c.omega * along);
+    wave.speedY = single(c.omega * across);
+    wave.speedZ = single(c.omega);
   }
 }
 
@@ -116,8 +119,7 @@ void WaterMotion::evaluateSteep(double time, const Wanted& wanted, Batch& batch)
   const double towards[2] = {wave.turnsX, wave.turnsY};
   const double k = std::hypot(wave.turnsX, wave.turnsY);
   for (std::size_t i = 0; i < kLanes; ++i) {
-    const double theta =
-        2.0 * kPi * (wave.turns - wave.turnsX * batch.x[i] - wave.turnsY * batch.y[i]);
+    const double theta = wave_sums::phaseOf(wave, batch.x[i], batch.y[i]);
     batch.elevation[i] = series.elevationAt(theta);
     const double z =
         wanted.onSurface ? batch.elevation[i] : std::min(batch.z[i], batch.elevation[i]);
@@ -134,13 +136,7 @@ void WaterMotion::evaluateSteep(double time, const Wanted& wanted, Batch& batch)
 
 void WaterMotion::at(double time, double originX, double originY, const Points& points,
                      const Water& water) noexcept {
-  for (std::size_t i = 0; i < waves_.size(); ++i) {
-    const Component& c = components_[i];
-    Wave& wave = waves_[i];
-    wave.turns = partOfTurn(c.turnsPerSecond * time + c.turns - wave.turnsX * originX -
-                            wave.turnsY * originY);
-    wave.height = static_cast<float>(sea_.growth(i, time) * c.amplitude);
-  }
+  wave_sums::meet(sea_, time, originX, originY, std::span(waves_));
   const Wanted wanted{
       !water.slopeX.empty() || !water.slopeY.empty(),
       !water.velocityX.empty() || !water.velocityY.empty() || !water.velocityZ.empty(),

@@ -48,13 +48,10 @@ class WaterMotion {
   /// A component as it is at the time and origin of one call (WaveSums.h), and what belongs to its
   /// slopes and velocities.
   struct Wave {
-    double turns, turnsX, turnsY;
-    float height, octaves;
-    float slopeX, slopeY;          // k_x, k_y [1/m]
-    float speedX, speedY, speedZ;  // ω k_x/k, ω k_y/k, ω [1/s]
-  };
-  struct Component {
-    double turnsPerSecond, turns, amplitude;
+    double turns = 0.0, turnsX = 0.0, turnsY = 0.0;
+    float height = 0.0F, octaves = 0.0F;
+    float slopeX = 0.0F, slopeY = 0.0F;                 // k_x, k_y [1/m]
+    float speedX = 0.0F, speedY = 0.0F, speedZ = 0.0F;  // ω k_x/k, ω k_y/k, ω [1/s]
   };
   struct alignas(4 * kLanes) Lanes {
     float value[kLanes];
@@ -79,7 +76,6 @@ class WaterMotion {
 
   SeaState sea_;
   bool wide_;
-  std::vector<Component> components_;
   std::vector<Wave> waves_;
   std::vector<Lanes> heights_, risings_;
 };

@@ -89,15 +89,8 @@ CUTWATER_VECTOR void WaterPressure::evaluate(const Sea& sea, const Points& point
 
 WaterPressure::WaterPressure(const SeaState& sea, bool wide)
     : sea_(sea), wide_(wide && wideRegisters()), heights_(sea.components().size()) {
-  constexpr double kPerRadian = 1.0 / (2.0 * kPi);  // turns
-  for (std::size_t i = 0; i < heights_.size(); ++i) {
-    const WaveComponent& c = sea_.components()[i];
-    const double k = sea_.waveNumber(i);
-    components_.push_back({kPerRadian * c.omega, kPerRadian * c.phase, c.amplitude});
-    waves_.push_back({0.0, kPerRadian * k * std::cos(c.heading),
-                      -kPerRadian * k * std::sin(c.heading), 0.0F,
-                      static_cast<float>(k / std::log(2.0))});
-  }
+  waves_.resize(heights_.size());
+  for (std::size_t i = 0; i < waves_.size(); ++i) wave_sums::setLength(sea_, i, waves_[i]);
 }
 
 void WaterPressure::weigh(std::span<const double> first, std::span<const double> second,
@@ -111,13 +104,7 @@ void WaterPressure::weigh(std::span<const double> first, std::span<const double>
 
 void WaterPressure::at(double time, double originX, double originY, const Points& points,
                        double near, const Water& water) noexcept {
-  for (std::size_t i = 0; i < waves_.size(); ++i) {
-    const Component& c = components_[i];
-    Wave& wave = waves_[i];
-    wave.turns = partOfTurn(c.turnsPerSecond * time + c.turns - wave.turnsX * originX -
-                            wave.turnsY * originY);
-    wave.height = static_cast<float>(sea_.growth(i, time) * c.amplitude);
-  }
+  wave_sums::meet(sea_, time, originX, originY, std::span(waves_));
   const Sea sea{waves_, heights_, sea_.profile()};
   if (wide_) {
     evaluateWide(sea, points, near, water);
@@ -133,8 +120,7 @@ void WaterPressure::pressSteep(double time, const Points& points, const Water& w
   const StokesWave::Series series = sea_.stokes()->series(sea_.growth(0, time));
   const Wave& wave = waves_.front();
   for (std::size_t i = 0; i < points.z.size(); ++i) {
-    const double theta =
-        2.0 * kPi * (wave.turns - wave.turnsX * points.x[i] - wave.turnsY * points.y[i]);
+    const double theta = wave_sums::phaseOf(wave, points.x[i], points.y[i]);
     const double zeta = series.elevationAt(theta);
     water.elevation[i] = zeta;
     water.head[i] = series.headAt(theta, std::min(points.z[i], zeta));

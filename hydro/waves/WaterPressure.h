@@ -62,15 +62,11 @@ class WaterPressure {
  private:
   /// A component as it is at the time and origin of one call.
   struct Wave {
-    double turns;           ///< θ/2π at the origin, −½..½
-    double turnsX, turnsY;  ///< k_x/2π, k_y/2π [1/m]
-    float height;           ///< r a [m]
-    float octaves;          ///< k/ln 2 [1/m]: e^{kz} = 2^{octaves z}
+    double turns = 0.0;                 ///< θ/2π at the origin, −½..½
+    double turnsX = 0.0, turnsY = 0.0;  ///< k_x/2π, k_y/2π [1/m]
+    float height = 0.0F;                ///< r a [m]
+    float octaves = 0.0F;               ///< k/ln 2 [1/m]: e^{kz} = 2^{octaves z}
     float first = 0.0F, second = 0.0F, rate = 0.0F;
-  };
-  /// What of a component does not change.
-  struct Component {
-    double turnsPerSecond, turns, amplitude;
   };
   struct alignas(4 * kLanes) Lanes {
     float value[kLanes];
@@ -90,7 +86,6 @@ class WaterPressure {
 
   SeaState sea_;
   bool wide_;
-  std::vector<Component> components_;
   std::vector<Wave> waves_;
   std::vector<Lanes> heights_;
 };

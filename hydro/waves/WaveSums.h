@@ -1,7 +1,9 @@
 #pragma once
+#include <cmath>
 #include <cstddef>
 
 #include "hydro/base/SimdSingle.h"
+#include "hydro/waves/SeaState.h"
 
 // Sums over the waves of a sea at eight or sixteen points at once, in single precision but for the
 // phases: what WaterPressure and WaterMotion are made of. `wave` and `sea` are types of theirs:
@@ -12,6 +14,36 @@
 namespace cutwater::wave_sums {
 
 inline constexpr std::size_t kGroup = 16;  // waves whose sum is kept in single precision
+inline constexpr double kPerRadian = 1.0 / (2.0 * kPi);  // turns
+
+/// What of component i does not change with time and origin.
+template <class Wave>
+void setLength(const SeaState& sea, std::size_t i, Wave& wave) {
+  const WaveComponent& c = sea.components()[i];
+  const double k = sea.waveNumber(i);
+  wave.turnsX = kPerRadian * k * std::cos(c.heading);
+  wave.turnsY = -kPerRadian * k * std::sin(c.heading);
+  wave.octaves = static_cast<float>(k / std::log(2.0));
+}
+
+/// All components at a time [s], about an origin [m].
+template <class Wave>
+void meet(const SeaState& sea, double time, double x, double y, std::span<Wave> waves) noexcept {
+  const SeaState::Growths growths = sea.growths(time);
+  for (std::size_t i = 0; i < waves.size(); ++i) {
+    const WaveComponent& c = sea.components()[i];
+    Wave& wave = waves[i];
+    wave.turns = partOfTurn(kPerRadian * c.omega * time + kPerRadian * c.phase - wave.turnsX * x -
+                            wave.turnsY * y);
+    wave.height = static_cast<float>(sea.amplitude(i, growths));
+  }
+}
+
+/// θ of a wave at x, y from the origin [rad].
+template <class Wave>
+double phaseOf(const Wave& wave, double x, double y) noexcept {
+  return 2.0 * kPi * (wave.turns - wave.turnsX * x - wave.turnsY * y);
+}
 
 /// Σ term(i) over so many waves, in groups.
 template <class Single>

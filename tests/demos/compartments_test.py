@@ -4,12 +4,12 @@ import csv
 import json
 import math
 import os
-import subprocess
 import sys
-import tempfile
 import unittest
 
-COMMAND, DATABASE = (os.path.abspath(a) for a in sys.argv[1:3])
+from command import InFolder, call
+
+DATABASE = os.path.abspath(sys.argv[2])
 PUMPED = """[[compartment]]
 name = "fore_peak"
 centre = [20.0, 0.0, -1.0]
@@ -25,25 +25,16 @@ openings = [ { place = [0.0, -4.5, -2.0], area = 0.5 } ]
 """
 
 
-class Compartments(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-
-    def call(self, *arguments):
-        return subprocess.run([COMMAND, *arguments], capture_output=True, text=True, check=False,
-                              cwd=self.folder)
-
+class Compartments(InFolder):
     def simulate(self, rest, duration):
-        with open(os.path.join(self.folder, "run.toml"), "w", encoding="utf-8") as file:
-            file.write(f'database = "{DATABASE}"\n[bullet]\nduration = {duration}\n{rest}')
-        return self.call("simulate", "run.toml", "-o", "run.csv")
+        run = self.path("run.toml",
+                        f'database = "{DATABASE}"\n[bullet]\nduration = {duration}\n{rest}')
+        return call("simulate", run, "-o", self.path("run.csv"))
 
     def columns(self, rest, duration):
         done = self.simulate(rest, duration)
         self.assertEqual(done.returncode, 0, done.stderr)
-        with open(os.path.join(self.folder, "run.csv"), encoding="utf-8") as file:
+        with open(self.path("run.csv"), encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
         return {name: [float(row[name]) for row in rows] for name in rows[0]}
 
@@ -66,9 +57,9 @@ class Compartments(unittest.TestCase):
 
     def test_the_page_has_rooms_about_g(self):
         self.columns(PUMPED + HOLED, 1.0)
-        done = self.call("report", DATABASE, "run.toml", "-o", "page.json")
+        done = call("report", DATABASE, self.path("run.toml"), "-o", self.path("page.json"))
         self.assertEqual(done.returncode, 0, done.stderr)
-        with open(os.path.join(self.folder, "page.json"), encoding="utf-8") as file:
+        with open(self.path("page.json"), encoding="utf-8") as file:
             page = json.load(file)
         fore, room = page["runs"][0]["compartments"]
         cog = page["ship"]["cog"]

@@ -325,6 +325,11 @@ Composite composite(const ShipParticulars& ship, const Weight& weight) {
   return all;
 }
 
+std::vector<std::string> allOfTheWater() {
+  return {"wetted_pressure", "restoring",     "froude_krylov", "diffraction", "radiation",
+          "added_mass",      "supplementary", "autopilots",    "hull_lift",   "resistance"};
+}
+
 ShipSettings without(const std::vector<std::string>& names) {
   ShipSettings settings;
   settings.model.without = names;
@@ -344,10 +349,7 @@ Spin spin(btScalar step) {
   const ShipParticulars& p = undamped()->ship();
   TestWorld world(0.0);
   Seaway seaway(world.world);
-  Ship& ship = seaway.addShip(
-      undamped(),
-      without({"wetted_pressure", "restoring", "froude_krylov", "diffraction", "radiation",
-               "added_mass", "supplementary", "autopilots", "hull_lift", "resistance"}));
+  Ship& ship = seaway.addShip(undamped(), without(allOfTheWater()));
   const Weight weight{.name = "crate",
                       .mass = 0.3 * p.mass,
                       .place = p.cog + Vec3(6.0, 2.5, 1.5),
@@ -411,10 +413,7 @@ TEST(LoadingClosedForm, MomentumGoesWithTheMass) {
   const ShipParticulars& p = undamped()->ship();
   TestWorld world(0.0);
   Seaway seaway(world.world);
-  Ship& ship = seaway.addShip(
-      undamped(),
-      without({"wetted_pressure", "restoring", "froude_krylov", "diffraction", "radiation",
-               "added_mass", "supplementary", "autopilots", "hull_lift", "resistance"}));
+  Ship& ship = seaway.addShip(undamped(), without(allOfTheWater()));
   Compartment& hold =
       ship.addCompartment({.name = "hold", .centre = p.cog, .size = {4.0, 4.0, 3.0}});
   ship.resetVelocity(Vec3(5.0, 0.0, 0.0), Vec3::Zero());
@@ -454,11 +453,6 @@ TEST(LoadingClosedForm, MomentumGoesWithTheMass) {
   // From a place that turns with the ship, by what is left of the water's turning: 1e-8 of it.
   ship.setWeights({});
   EXPECT_NEAR(ahead(1), 5.0 * p.mass, std::max(digits, 1e-8) * 5.0 * p.mass);
-}
-
-std::vector<std::string> allOfTheWater() {
-  return {"wetted_pressure", "restoring",     "froude_krylov", "diffraction", "radiation",
-          "added_mass",      "supplementary", "autopilots",    "hull_lift",   "resistance"};
 }
 
 // The first weight of all, put on board gently after the ship has turned by 86 degrees: as a ship

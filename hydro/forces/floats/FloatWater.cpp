@@ -54,10 +54,11 @@ CUTWATER_VECTOR void FloatWater::sum(std::span<const Wave> waves, WaveProfile pr
 // Phases lose their whole turns once a tick, so that long runs cost no digits.
 void FloatWater::motion(double time, std::span<const Place> places,
                         std::span<Motion> water) noexcept {
+  const SeaState::Growths growths = sea_.growths(time);
   for (std::size_t i = 0; i < waves_.size(); ++i) {
     const WaveComponent& c = sea_.components()[i];
     waves_[i].phase = std::remainder(c.omega * time + c.phase, 2.0 * kPi);
-    waves_[i].amplitude = sea_.growth(i, time) * c.amplitude;
+    waves_[i].amplitude = sea_.amplitude(i, growths);
     waves_[i].speed = waves_[i].amplitude * c.omega;
   }
   if (sea_.stokes()) {
