@@ -496,6 +496,29 @@ TEST(LoadingIdentity, VolumesThatNoTickHasFeltHaveNoMomentum) {
   EXPECT_NEAR(ship.velocity()[Surge], held, 1e-5);
 }
 
+// Rolling without radiation, lift and drag, energy stays: it swings by 45 J without cargo, which is
+// what ticks of 1/60 s leave of 200 kJ. Cargo that counted its height from another point than the
+// ship's G, 0.2 m off, would add 1.7 kJ.
+TEST(LoadingIdentity, EnergyOfARollingShipWithCargoStays) {
+  Shore shore(undamped(), [] {
+    ShipSettings settings = without({"radiation", "hull_lift", "resistance", "autopilots"});
+    settings.start.offset = one(Roll, 0.3);
+    return settings;
+  }());
+  const ShipParticulars& p = undamped()->ship();
+  shore.ship.setWeights({{.name = "cargo", .mass = 20e3, .place = p.cog + Vec3(0.0, 0.0, 0.5)}});
+  for (int i = 0; i < 120; ++i) shore.tick(kStep);
+  double low = HUGE_VAL, high = -HUGE_VAL, swing = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    shore.tick(kStep);
+    low = std::min(low, shore.ship.energy());
+    high = std::max(high, shore.ship.energy());
+    swing = std::max(swing, std::abs(shore.ship.attitude().x()));
+  }
+  EXPECT_GT(swing, 0.2);
+  EXPECT_LT(high - low, 200.0);
+}
+
 // A sailing, rolling ship with weights and open compartments goes on with the same bits, also after
 // a change of what it carries, and from bytes.
 TEST(LoadingIdentity, ASnapshotGoesOnWithTheSameBits) {
